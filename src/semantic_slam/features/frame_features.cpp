@@ -1,0 +1,83 @@
+#include "semantic_slam/features/frame_features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include <opencv2/imgproc.hpp>
+
+#include "semantic_slam/common/error.h"
+
+namespace semantic_slam {
+namespace {
+
+cv::Mat ToGrey(const RgbdImage& image) {
+  cv::Mat grey;
+  cv::cvtColor(image.colour, grey,
+               image.order == ColourOrder::kBgr ? cv::COLOR_BGR2GRAY : cv::COLOR_RGB2GRAY);
+  return grey;
+}
+
+void CheckFits(const RgbdImage& image, const CameraModel& camera) {
+  CheckRgbdImage(image);
+  if (camera.Contains(image.colour)) return;
+  std::ostringstream what;
+  what << "image is " << image.colour.size() << " but the camera's calibration is for ["
+       << camera.width_px() << " x " << camera.height_px() << "]";
+  throw InputError(what.str());
+}
+
+float DepthAt(const cv::Mat& depth_m, const Eigen::Vector2f& raw) {
+  const int u = std::clamp(cvRound(raw.x()), 0, depth_m.cols - 1);
+  const int v = std::clamp(cvRound(raw.y()), 0, depth_m.rows - 1);
+  const float depth = depth_m.at<float>(v, u);
+  return depth > 0.0f && std::isfinite(depth) ? depth : std::numeric_limits<float>::quiet_NaN();
+}
+
+}  // namespace
+
+FrameFeatures::FrameFeatures(const RgbdImage& image, const CameraModel& camera,
+                             const OrbExtractor& extractor)
+    : stamp_(image.stamp) {
+  CheckFits(image, camera);
+  Keypoints extracted = extractor.Extract(ToGrey(image));
+  descriptors_ = std::move(extracted.descriptors);
+  features_.reserve(extracted.keypoints.size());
+  for (const Keypoint& keypoint : extracted.keypoints) {
+    features_.push_back({keypoint.pixel, camera.Undistort(keypoint.pixel),
+                         DepthAt(image.depth_m, keypoint.pixel), keypoint.angle_rad,
+                         keypoint.octave});
+  }
+  BuildGrid(camera);
+}
+
+void FrameFeatures::BuildGrid(const CameraModel& camera) {
+  const cv::Rect2f& bounds = camera.undistorted_bounds();
+  left_px_ = bounds.x;
+  top_px_ = bounds.y;
+  columns_ = static_cast<int>(bounds.width / kCellPx) + 1;
+  rows_ = static_cast<int>(bounds.height / kCellPx) + 1;
+  cell_begin_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
+  std::vector<int> cell_of(features_.size());
+  for (std::size_t i = 0; i < features_.size(); ++i) {
+    cell_of[i] = RowOf(features_[i].pixel.y()) * columns_ + ColumnOf(features_[i].pixel.x());
+    ++cell_begin_[cell_of[i] + 1];
+  }
+  for (std::size_t c = 1; c < cell_begin_.size(); ++c) cell_begin_[c] += cell_begin_[c - 1];
+  std::vector<int> next(cell_begin_.begin(), cell_begin_.end() - 1);
+  cell_features_.resize(features_.size());
+  for (std::size_t i = 0; i < features_.size(); ++i) {
+    cell_features_[next[cell_of[i]]++] = static_cast<int>(i);
+  }
+}
+
+int FrameFeatures::ColumnOf(float u) const {
+  return std::clamp(static_cast<int>((u - left_px_) / kCellPx), 0, columns_ - 1);
+}
+
+int FrameFeatures::RowOf(float v) const {
+  return std::clamp(static_cast<int>((v - top_px_) / kCellPx), 0, rows_ - 1);
+}
+
+}  // namespace semantic_slam

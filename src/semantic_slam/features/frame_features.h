@@ -1,0 +1,80 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/camera/rgbd_image.h"
+#include "semantic_slam/features/orb_extractor.h"
+
+namespace semantic_slam {
+
+struct Feature {
+  Eigen::Vector2f raw;    // pixel as the sensor saw it
+  Eigen::Vector2f pixel;  // undistorted
+  float depth_m;          // along the optical axis; NaN if there is none
+  float angle_rad;
+  int octave;
+
+  bool has_depth() const { return depth_m > 0.0f; }  // NaN compares false
+};
+
+// The features of one RGB-D image, with their depth, and an index to find them by place. Immutable,
+// so one image's features can be shared between tracking and the map.
+class FrameFeatures {
+ public:
+  // Throws InputError if the image is malformed or not of the camera's size.
+  FrameFeatures(const RgbdImage& image, const CameraModel& camera, const OrbExtractor& extractor);
+
+  Stamp stamp() const { return stamp_; }
+  std::size_t size() const { return features_.size(); }
+  const Feature& operator[](std::size_t i) const { return features_[i]; }
+  const std::vector<Feature>& features() const { return features_; }
+  const Descriptor& descriptor(std::size_t i) const { return descriptors_[i]; }
+  const std::vector<Descriptor>& descriptors() const { return descriptors_; }
+
+  // Calls visit(index) for every feature within the square of half side `radius_px` about `pixel`
+  // (undistorted) whose octave is in [min_octave, max_octave].
+  template <typename Visitor>
+  void ForEachNear(const Eigen::Vector2f& pixel, float radius_px, int min_octave, int max_octave,
+                   Visitor&& visit) const;
+
+ private:
+  static constexpr float kCellPx = 10.0f;
+
+  void BuildGrid(const CameraModel& camera);
+  int ColumnOf(float u) const;
+  int RowOf(float v) const;
+
+  Stamp stamp_;
+  std::vector<Feature> features_;
+  std::vector<Descriptor> descriptors_;
+  // Features by grid cell over the undistorted image, row-major: those of cell c are
+  // cell_features_[cell_begin_[c]] .. cell_features_[cell_begin_[c + 1] - 1].
+  float left_px_ = 0.0f, top_px_ = 0.0f;
+  int columns_ = 0, rows_ = 0;
+  std::vector<int> cell_begin_;
+  std::vector<int> cell_features_;
+};
+
+template <typename Visitor>
+void FrameFeatures::ForEachNear(const Eigen::Vector2f& pixel, float radius_px, int min_octave,
+                                int max_octave, Visitor&& visit) const {
+  const int column_end = ColumnOf(pixel.x() + radius_px), row_end = RowOf(pixel.y() + radius_px);
+  const int column_begin = ColumnOf(pixel.x() - radius_px);
+  for (int row = RowOf(pixel.y() - radius_px); row <= row_end; ++row) {
+    for (int column = column_begin; column <= column_end; ++column) {
+      const int cell = row * columns_ + column;
+      for (int k = cell_begin_[cell]; k < cell_begin_[cell + 1]; ++k) {
+        const int i = cell_features_[k];
+        const Feature& feature = features_[i];
+        if (feature.octave < min_octave || feature.octave > max_octave) continue;
+        if ((feature.pixel - pixel).cwiseAbs().maxCoeff() <= radius_px) visit(i);
+      }
+    }
+  }
+}
+
+}  // namespace semantic_slam

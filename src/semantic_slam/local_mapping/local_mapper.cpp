@@ -1,0 +1,252 @@
+#include "semantic_slam/local_mapping/local_mapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "semantic_slam/tracking/projection_matcher.h"
+
+namespace semantic_slam {
+namespace {
+
+// A point is on probation until this many keyframes have followed the one that made it.
+constexpr int kProbationKeyframes = 3;
+constexpr int kProbationMinObservations = 2;
+constexpr int kFusionMaxDistance = 50;
+constexpr float kFusionRadiusPx = 3.0f;
+
+bool DepthFits(const Feature& feature, double z_m, const ObservationNoise& noise) {
+  if (!feature.has_depth()) return true;
+  const double error = (1.0 / z_m - 1.0 / feature.depth_m) / noise.InverseDepthSigma();
+  return error * error <= 2.0 * kChi2Depth;  // both the point's depth and this one are noisy
+}
+
+std::vector<PointId> PointsOf(const Keyframe& keyframe) {
+  std::vector<PointId> points;
+  for (const PointId id : keyframe.points) {
+    if (id != kNoPoint) points.push_back(id);
+  }
+  return points;
+}
+
+}  // namespace
+
+LocalMapper::LocalMapper(const LocalMapperOptions& options,
+                         std::shared_ptr<const CameraModel> camera, Map& map)
+    : options_(options), noise_{options.depth_sigma_at_1m_m}, camera_(std::move(camera)), map_(map) {
+  Validate(options_);
+}
+
+void LocalMapper::Process(KeyframeId keyframe, StageTimer& timer) {
+  Window window;
+  {
+    StageTimer::Scope scope(timer, "local_mapping.fuse");
+    std::lock_guard<std::mutex> lock(map_.mutex());
+    if (map_.FindKeyframe(keyframe) == nullptr) return;
+    CullRecentPoints(keyframe);
+    FuseWithNeighbours(keyframe);
+    window = SelectWindow(keyframe);
+  }
+  BundleSummary summary;
+  {
+    StageTimer::Scope scope(timer, "local_mapping.bundle_adjustment");
+    BundleOptions options;
+    options.noise = noise_;
+    options.robust_iterations = options_.robust_iterations;
+    options.final_iterations = options_.final_iterations;
+    summary = AdjustBundle(window.problem, *camera_, options);
+  }
+  {
+    StageTimer::Scope scope(timer, "local_mapping.apply");
+    std::lock_guard<std::mutex> lock(map_.mutex());
+    if (map_.FindKeyframe(keyframe) == nullptr) return;  // the map was cleared meanwhile
+    Apply(window, summary);
+    CullKeyframes(keyframe);
+    map_.BumpRevision(RevisionReason::kLocalBa);
+  }
+}
+
+// Mur-Artal et al., ORB-SLAM, 2015, section VI.B.
+void LocalMapper::CullRecentPoints(KeyframeId keyframe_id) {
+  for (const PointId id : map_.FindKeyframe(keyframe_id)->points) {
+    const MapPoint* point = map_.FindPoint(id);
+    if (point != nullptr && point->observations.front().keyframe == keyframe_id) {
+      recent_points_.emplace_back(id, keyframe_id);
+    }
+  }
+  std::deque<std::pair<PointId, KeyframeId>> still_young;
+  for (const auto& [id, born] : recent_points_) {
+    const MapPoint* point = map_.FindPoint(id);
+    if (point == nullptr) continue;
+    const bool grown_up = keyframe_id - born >= kProbationKeyframes;
+    if (point->found < options_.min_found_ratio * point->visible ||
+        (grown_up && point->observations.size() < kProbationMinObservations)) {
+      map_.ErasePoint(id);
+    } else if (!grown_up) {
+      still_young.emplace_back(id, born);
+    }
+  }
+  recent_points_ = std::move(still_young);
+}
+
+void LocalMapper::FuseWithNeighbours(KeyframeId keyframe_id) {
+  const std::vector<KeyframeId> neighbours =
+      map_.BestCovisible(keyframe_id, options_.fusion_neighbours);
+  const std::vector<PointId> own = PointsOf(*map_.FindKeyframe(keyframe_id));
+  std::vector<PointId> theirs;
+  for (const KeyframeId neighbour : neighbours) {
+    FuseInto(own, neighbour);
+    const std::vector<PointId> points = PointsOf(*map_.FindKeyframe(neighbour));
+    theirs.insert(theirs.end(), points.begin(), points.end());
+  }
+  std::sort(theirs.begin(), theirs.end());
+  theirs.erase(std::unique(theirs.begin(), theirs.end()), theirs.end());
+  FuseInto(theirs, keyframe_id);
+  for (const PointId id : PointsOf(*map_.FindKeyframe(keyframe_id))) {
+    map_.UpdatePointAppearance(id);
+    map_.UpdatePointGeometry(id);
+  }
+  map_.UpdateCovisibility(keyframe_id);
+}
+
+// Looks for the points in a keyframe that does not see them yet. A feature found there either gets
+// the point, or its own point turns out to be the same one.
+void LocalMapper::FuseInto(const std::vector<PointId>& points, KeyframeId target_id) {
+  const Keyframe& target = *map_.FindKeyframe(target_id);
+  const Rigid3d T_camera_map = target.T_map_camera.inverse();
+  const std::set<PointId> seen(target.points.begin(), target.points.end());
+  std::vector<ProjectionCandidate> candidates;
+  std::vector<PointId> ids;
+  for (const PointId id : points) {
+    const MapPoint* point = map_.FindPoint(id);
+    if (point == nullptr || seen.count(id) > 0) continue;
+    const auto view = PredictView(*point, T_camera_map, *camera_, map_.scales());
+    if (!view) continue;
+    candidates.push_back({view->pixel, kFusionRadiusPx * map_.scales()[view->octave],
+                          view->octave - 1, view->octave + 1, 0.0f, &point->descriptor});
+    ids.push_back(id);
+  }
+  ProjectionMatchingOptions matching;
+  matching.max_distance = kFusionMaxDistance;
+  const std::vector<int> matches = MatchByProjection(
+      candidates, *target.features, std::vector<bool>(target.points.size(), false), matching);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const MapPoint* point = map_.FindPoint(ids[i]);
+    if (matches[i] < 0 || point == nullptr) continue;
+    const Feature& feature = (*target.features)[matches[i]];
+    const Eigen::Vector3d p_camera = T_camera_map * point->position;
+    const double sigma = noise_.PixelSigma(map_.scales()[feature.octave]);
+    const double error =
+        (camera_->Project(p_camera) - feature.pixel.cast<double>()).norm() / sigma;
+    if (error * error > kChi2Pixel || !DepthFits(feature, p_camera.z(), noise_)) continue;
+    const MapPoint* present = map_.FindPoint(target.points[matches[i]]);
+    if (present == nullptr) {
+      map_.AddObservation(ids[i], target_id, matches[i]);
+    } else if (present->observations.size() > point->observations.size()) {
+      map_.MergePoints(ids[i], present->id);
+    } else {
+      map_.MergePoints(present->id, ids[i]);
+    }
+  }
+}
+
+// The new keyframe and those around it move, the keyframes farther out that see the same points hold
+// them in place.
+LocalMapper::Window LocalMapper::SelectWindow(KeyframeId keyframe_id) const {
+  Window window;
+  std::map<KeyframeId, int> camera_index;
+  const auto add_camera = [&](KeyframeId id, bool fixed) {
+    camera_index[id] = static_cast<int>(window.keyframes.size());
+    window.keyframes.push_back(id);
+    window.problem.cameras.push_back({map_.FindKeyframe(id)->T_map_camera, fixed});
+  };
+  const KeyframeId first = map_.keyframes().begin()->first;
+  add_camera(keyframe_id, keyframe_id == first);
+  for (const KeyframeId id : map_.BestCovisible(keyframe_id, options_.window_keyframes - 1)) {
+    add_camera(id, id == first);
+  }
+  std::set<PointId> points;
+  for (const KeyframeId id : window.keyframes) {
+    for (const PointId point : PointsOf(*map_.FindKeyframe(id))) points.insert(point);
+  }
+  std::map<KeyframeId, int> shared;
+  for (const PointId id : points) {
+    for (const Observation& o : map_.FindPoint(id)->observations) {
+      if (camera_index.count(o.keyframe) == 0) ++shared[o.keyframe];
+    }
+  }
+  std::vector<std::pair<int, KeyframeId>> outside;
+  for (const auto& [id, count] : shared) outside.emplace_back(-count, id);
+  std::sort(outside.begin(), outside.end());
+  if (static_cast<int>(outside.size()) > options_.fixed_keyframes) {
+    outside.resize(options_.fixed_keyframes);
+  }
+  for (const auto& entry : outside) add_camera(entry.second, true);
+
+  for (const PointId id : points) {
+    const MapPoint& point = *map_.FindPoint(id);
+    const int index = static_cast<int>(window.points.size());
+    window.points.push_back(id);
+    window.problem.points.push_back(point.position);
+    for (const Observation& o : point.observations) {
+      const auto camera = camera_index.find(o.keyframe);
+      if (camera == camera_index.end()) continue;
+      const Feature& feature = (*map_.FindKeyframe(o.keyframe)->features)[o.feature];
+      window.problem.observations.push_back({camera->second, index, feature.pixel.cast<double>(),
+                                             feature.depth_m, map_.scales()[feature.octave]});
+    }
+  }
+  return window;
+}
+
+void LocalMapper::Apply(const Window& window, const BundleSummary& summary) {
+  for (std::size_t i = 0; i < window.keyframes.size(); ++i) {
+    Keyframe* keyframe = map_.FindKeyframe(window.keyframes[i]);
+    if (keyframe != nullptr && !window.problem.cameras[i].fixed) {
+      keyframe->T_map_camera = window.problem.cameras[i].T_map_camera;
+    }
+  }
+  for (std::size_t i = 0; i < window.points.size(); ++i) {
+    MapPoint* point = map_.FindPoint(window.points[i]);
+    if (point != nullptr) point->position = window.problem.points[i];
+  }
+  for (std::size_t i = 0; i < summary.is_inlier.size(); ++i) {
+    if (summary.is_inlier[i]) continue;
+    const BundleObservation& o = window.problem.observations[i];
+    map_.RemoveObservation(window.points[o.point], window.keyframes[o.camera]);
+  }
+  for (const PointId id : window.points) {
+    if (map_.FindPoint(id) != nullptr) map_.UpdatePointGeometry(id);
+  }
+}
+
+// Mur-Artal et al., ORB-SLAM, 2015, section VI.E.
+void LocalMapper::CullKeyframes(KeyframeId newest) {
+  for (const KeyframeId id : map_.BestCovisible(newest, static_cast<int>(map_.keyframes().size()))) {
+    const Keyframe& keyframe = *map_.FindKeyframe(id);
+    if (keyframe.parent != kNoKeyframe && IsRedundant(keyframe)) map_.CullKeyframe(id);
+  }
+}
+
+// Whether most of its points are seen by enough others, at the same or a finer scale.
+bool LocalMapper::IsRedundant(const Keyframe& keyframe) const {
+  int points = 0, redundant = 0;
+  for (std::size_t i = 0; i < keyframe.points.size(); ++i) {
+    const MapPoint* point = map_.FindPoint(keyframe.points[i]);
+    if (point == nullptr) continue;
+    ++points;
+    const int octave = (*keyframe.features)[i].octave;
+    int others = 0;
+    for (const Observation& o : point->observations) {
+      if (o.keyframe == keyframe.id) continue;
+      const Keyframe& other = *map_.FindKeyframe(o.keyframe);
+      others += (*other.features)[o.feature].octave <= octave + 1;
+    }
+    redundant += others >= options_.redundant_observations;
+  }
+  return redundant > options_.redundant_share * points;
+}
+
+}  // namespace semantic_slam

@@ -1,0 +1,50 @@
+#include "semantic_slam/localization/gravity_alignment.h"
+
+#include <cmath>
+
+#include "semantic_slam/common/error.h"
+
+namespace semantic_slam {
+namespace {
+
+constexpr double kStandardGravity = 9.81;
+constexpr double kGravityTolerance = 0.2;  // share; hand-held cameras shake
+constexpr int kMinReadings = 3;
+
+}  // namespace
+
+Rigid3d StartPoseFromUp(const Eigen::Vector3d& up_camera) {
+  if (!up_camera.allFinite() || up_camera.norm() < 1e-6) {
+    throw InputError("the direction of gravity is not finite or has length zero");
+  }
+  const Eigen::Vector3d up = up_camera.normalized();
+  // The view, or where it is vertical the image's upper edge, gives the map's x axis.
+  Eigen::Vector3d forward = Eigen::Vector3d::UnitZ() - up.z() * up;
+  if (forward.norm() < 1e-3) forward = -Eigen::Vector3d::UnitY() + up.y() * up;
+  forward.normalize();
+  Rigid3d T_map_camera = Rigid3d::Identity();
+  T_map_camera.linear().row(0) = forward;
+  T_map_camera.linear().row(1) = up.cross(forward);
+  T_map_camera.linear().row(2) = up;
+  return T_map_camera;
+}
+
+std::optional<Eigen::Vector3d> MeanAcceleration(const std::vector<AccelerometerReading>& readings,
+                                                Stamp stamp, double window_s) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (const AccelerometerReading& reading : readings) {
+    if (!reading.acceleration_imu.allFinite()) continue;
+    if (std::abs(SecondsBetween(stamp, reading.stamp)) > window_s) continue;
+    sum += reading.acceleration_imu;
+    ++count;
+  }
+  if (count < kMinReadings) return std::nullopt;
+  const Eigen::Vector3d mean = sum / count;
+  if (std::abs(mean.norm() - kStandardGravity) > kGravityTolerance * kStandardGravity) {
+    return std::nullopt;
+  }
+  return mean;
+}
+
+}  // namespace semantic_slam

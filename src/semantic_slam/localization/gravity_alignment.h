@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "semantic_slam/common/transform.h"
+#include "semantic_slam/dataset/rgbd_source.h"
+
+namespace semantic_slam {
+
+// The start pose that puts the map's z axis up, its x axis along the camera's view (projected to
+// the horizontal) and its origin at the camera.
+//
+//   up_camera  any length; points up, in the camera's optical frame. At rest that is what an
+//              accelerometer reads.
+//
+// Throws InputError if `up_camera` is not finite or has no direction.
+Rigid3d StartPoseFromUp(const Eigen::Vector3d& up_camera);
+
+// Mean specific force over the readings from `window_s` before `stamp` to `window_s` after, in the
+// accelerometer's axes. nullopt if there are fewer than three or their mean is not within 20 % of
+// 9.81 m/s^2: then it was not gravity.
+std::optional<Eigen::Vector3d> MeanAcceleration(const std::vector<AccelerometerReading>& readings,
+                                                Stamp stamp, double window_s = 0.5);
+
+}  // namespace semantic_slam

@@ -1,0 +1,193 @@
+#include "semantic_slam/localization/visual_localization.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+#include "semantic_slam/common/error.h"
+#include "semantic_slam/common/worker.h"
+#include "semantic_slam/map/map.h"
+
+namespace semantic_slam {
+namespace {
+
+// One keyframe in work and one waiting: with more the map would lag behind the camera.
+constexpr std::size_t kMaxPendingKeyframes = 2;
+
+}  // namespace
+
+void ReadLocalizationOptions(YamlReader& file, LocalizationOptions& options) {
+  LocalizationOptions::VisitGroups(
+      options, [&](const char* name, auto& group) { file.ReadOptions(name, group); });
+}
+
+class VisualLocalization::Implementation {
+ public:
+  Implementation(const LocalizationOptions& options, std::shared_ptr<const CameraModel> camera,
+                 MappingMode mode)
+      : camera_(std::move(camera)),
+        extractor_(options.features),
+        map_(extractor_.scales()),
+        tracker_(options.tracking, camera_, map_),
+        mapper_(options.local_mapping, camera_, map_) {
+    if (mode == MappingMode::kThreaded) {
+      worker_ = std::make_unique<Worker<KeyframeId>>(
+          kMaxPendingKeyframes, WhenFull::kBlock, [this](KeyframeId id) { MapKeyframe(id); });
+    }
+  }
+
+  void SetStart(const Rigid3d& T_map_camera) { tracker_.SetStart(T_map_camera); }
+
+  TrackedImage Track(const RgbdImage& image) {
+    StageTimer::Scope whole(timer_, "tracking");
+    if (last_stamp_ && image.stamp <= *last_stamp_) {
+      throw InputError("image at " + ToString(image.stamp) + " s is not later than the one before at " +
+                       ToString(*last_stamp_) + " s");
+    }
+    std::shared_ptr<const FrameFeatures> features;
+    {
+      StageTimer::Scope scope(timer_, "tracking.features");
+      features = std::make_shared<FrameFeatures>(image, *camera_, extractor_);
+    }
+    last_stamp_ = image.stamp;
+    TrackerResult result;
+    {
+      StageTimer::Scope scope(timer_, "tracking.pose");
+      result = tracker_.Track(features, MappingHasRoom());
+    }
+    rejected_keyframes_ += result.keyframe_rejected;
+    KeepForView(std::move(features), std::move(result.is_inlier));
+    if (result.new_keyframe) Hand(*result.new_keyframe);
+    return result.image;
+  }
+
+  void Reset() {
+    Finish();
+    {
+      std::lock_guard<std::mutex> lock(map_.mutex());
+      map_.Clear();
+    }
+    tracker_.Reset();
+    mapper_.Reset();
+    last_stamp_.reset();
+  }
+
+  void Finish() {
+    std::unique_lock<std::mutex> lock(pending_mutex_);
+    idle_.wait(lock, [this] { return pending_ == 0; });
+  }
+
+  std::uint64_t revision() const {
+    std::lock_guard<std::mutex> lock(map_.mutex());
+    return map_.revision();
+  }
+
+  KeyframeGraph keyframe_graph() const {
+    std::lock_guard<std::mutex> lock(map_.mutex());
+    return map_.Graph();
+  }
+
+  std::vector<Eigen::Vector3f> map_points() const {
+    std::lock_guard<std::mutex> lock(map_.mutex());
+    return map_.PointPositions();
+  }
+
+  std::vector<FeatureView> features() const {
+    std::lock_guard<std::mutex> lock(view_mutex_);
+    std::vector<FeatureView> views;
+    for (std::size_t i = 0; i < is_inlier_.size(); ++i) {
+      const Feature& feature = (*viewed_)[i];
+      views.push_back({feature.raw, 31.0f * extractor_.scales()[feature.octave], is_inlier_[i]});
+    }
+    return views;
+  }
+
+  std::size_t rejected_keyframes() const { return rejected_keyframes_; }
+  std::vector<StageTiming> timings() const { return timer_.Timings(); }
+
+ private:
+  bool MappingHasRoom() const {
+    std::lock_guard<std::mutex> lock(pending_mutex_);
+    return pending_ < kMaxPendingKeyframes;
+  }
+
+  void Hand(KeyframeId id) {
+    {
+      std::lock_guard<std::mutex> lock(pending_mutex_);
+      ++pending_;
+    }
+    // Never blocks: MappingHasRoom() was asked before.
+    if (worker_ != nullptr) {
+      worker_->Push(id);
+    } else {
+      MapKeyframe(id);
+    }
+  }
+
+  void MapKeyframe(KeyframeId id) {
+    {
+      StageTimer::Scope scope(timer_, "local_mapping");
+      mapper_.Process(id, timer_);
+    }
+    std::lock_guard<std::mutex> lock(pending_mutex_);
+    --pending_;
+    idle_.notify_all();
+  }
+
+  void KeepForView(std::shared_ptr<const FrameFeatures> features, std::vector<bool> is_inlier) {
+    std::lock_guard<std::mutex> lock(view_mutex_);
+    viewed_ = std::move(features);
+    is_inlier_ = std::move(is_inlier);
+  }
+
+  const std::shared_ptr<const CameraModel> camera_;
+  const OrbExtractor extractor_;
+  StageTimer timer_;
+  Map map_;
+  Tracker tracker_;
+  LocalMapper mapper_;
+  std::optional<Stamp> last_stamp_;
+  std::atomic<std::size_t> rejected_keyframes_{0};
+
+  mutable std::mutex pending_mutex_;
+  std::condition_variable idle_;
+  std::size_t pending_ = 0;  // guarded by pending_mutex_; keyframes handed over and not finished
+
+  mutable std::mutex view_mutex_;
+  std::shared_ptr<const FrameFeatures> viewed_;  // guarded by view_mutex_
+  std::vector<bool> is_inlier_;                  // guarded by view_mutex_
+
+  std::unique_ptr<Worker<KeyframeId>> worker_;  // last: joined before anything it uses goes
+};
+
+VisualLocalization::VisualLocalization(const LocalizationOptions& options,
+                                       std::shared_ptr<const CameraModel> camera, MappingMode mode)
+    : implementation_(std::make_unique<Implementation>(options, std::move(camera), mode)) {}
+
+VisualLocalization::~VisualLocalization() = default;
+
+void VisualLocalization::SetStart(const Rigid3d& T_map_camera) {
+  implementation_->SetStart(T_map_camera);
+}
+TrackedImage VisualLocalization::Track(const RgbdImage& image) {
+  return implementation_->Track(image);
+}
+void VisualLocalization::Reset() { implementation_->Reset(); }
+void VisualLocalization::Finish() { implementation_->Finish(); }
+std::uint64_t VisualLocalization::revision() const { return implementation_->revision(); }
+KeyframeGraph VisualLocalization::keyframe_graph() const {
+  return implementation_->keyframe_graph();
+}
+std::vector<Eigen::Vector3f> VisualLocalization::map_points() const {
+  return implementation_->map_points();
+}
+std::vector<FeatureView> VisualLocalization::features() const {
+  return implementation_->features();
+}
+std::size_t VisualLocalization::rejected_keyframes() const {
+  return implementation_->rejected_keyframes();
+}
+std::vector<StageTiming> VisualLocalization::timings() const { return implementation_->timings(); }
+
+}  // namespace semantic_slam

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/camera/rgbd_image.h"
+#include "semantic_slam/common/duration_histogram.h"
+#include "semantic_slam/common/keyframe_graph.h"
+#include "semantic_slam/common/yaml_options.h"
+#include "semantic_slam/features/orb_extractor.h"
+#include "semantic_slam/local_mapping/local_mapper.h"
+#include "semantic_slam/tracking/tracker.h"
+
+namespace semantic_slam {
+
+// The options of every stage of localization, in the groups that configuration files use.
+struct LocalizationOptions {
+  OrbExtractorOptions features;
+  TrackerOptions tracking;
+  LocalMapperOptions local_mapping;
+
+  // Calls visit_group(name, group) for each.
+  template <typename Self, typename Visitor>
+  static void VisitGroups(Self& self, Visitor&& visit_group) {
+    visit_group("features", self.features);
+    visit_group("tracking", self.tracking);
+    visit_group("local_mapping", self.local_mapping);
+  }
+};
+
+// Reads the groups above from a configuration file; defaults stay where it says nothing.
+void ReadLocalizationOptions(YamlReader& file, LocalizationOptions& options);
+
+enum class MappingMode {
+  kInline,    // Track() returns after local mapping has finished: the same bytes on every run
+  kThreaded,  // local mapping runs beside tracking, on a thread of its own
+};
+
+// One feature of the image tracked last, for people to look at.
+struct FeatureView {
+  Eigen::Vector2f pixel;  // raw image
+  float size_px;          // diameter of the patch it was described from
+  bool is_inlier;         // a map point that supports the pose; else just a corner
+};
+
+// Thesis section 3.2, Visual Localization: tracking and local mapping behind one door. Track() is
+// for one thread; everything else may be called from any thread at any time.
+class VisualLocalization {
+ public:
+  // Throws ConfigError if an option is out of range.
+  VisualLocalization(const LocalizationOptions& options, std::shared_ptr<const CameraModel> camera,
+                     MappingMode mode);
+  ~VisualLocalization();
+
+  // Where up is and where the map's origin lies: the pose that the first tracked image gets, in a
+  // map with z up. Identity (the map is the first camera's optical frame) unless set before.
+  void SetStart(const Rigid3d& T_map_camera);
+
+  // Localizes one image. Throws InputError, and changes nothing, if the image does not fit the
+  // camera or its stamp is not later than that of the image before.
+  TrackedImage Track(const RgbdImage& image);
+
+  // Forgets the map and starts a new one with the next image; map_id grows by one, keyframe ids go
+  // on. The way to go after a jump back in time.
+  void Reset();
+
+  // Waits until local mapping has worked off what it was given.
+  void Finish();
+
+  // Grows whenever the keyframe graph has changed; ask for the graph then.
+  std::uint64_t revision() const;
+  KeyframeGraph keyframe_graph() const;
+
+  // All map points [m, map frame].
+  std::vector<Eigen::Vector3f> map_points() const;
+
+  // Features of the image tracked last.
+  std::vector<FeatureView> features() const;
+
+  // Keyframes that tracking wanted while local mapping was still busy.
+  std::size_t rejected_keyframes() const;
+
+  std::vector<StageTiming> timings() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace semantic_slam

@@ -1,0 +1,283 @@
+#include "semantic_slam/map/map.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace semantic_slam {
+namespace {
+
+std::vector<Observation>::iterator FindObservation(MapPoint& point, KeyframeId keyframe) {
+  auto it = std::lower_bound(point.observations.begin(), point.observations.end(), keyframe,
+                             [](const Observation& o, KeyframeId id) { return o.keyframe < id; });
+  return it != point.observations.end() && it->keyframe == keyframe ? it : point.observations.end();
+}
+
+}  // namespace
+
+Map::Map(std::vector<float> scales) : scales_(std::move(scales)) {}
+
+Keyframe& Map::AddKeyframe(std::shared_ptr<const FrameFeatures> features,
+                           const Rigid3d& T_map_camera) {
+  auto keyframe = std::make_unique<Keyframe>();
+  keyframe->id = next_keyframe_++;
+  keyframe->points.assign(features->size(), kNoPoint);
+  keyframe->features = std::move(features);
+  keyframe->T_map_camera = T_map_camera;
+  Keyframe& added = *keyframe;
+  keyframes_.emplace(added.id, std::move(keyframe));
+  return added;
+}
+
+MapPoint& Map::AddPoint(const Eigen::Vector3d& position, KeyframeId keyframe, int feature) {
+  const PointId id = first_point_ + static_cast<PointId>(points_.size());
+  points_.push_back(std::make_unique<MapPoint>());
+  ++point_count_;
+  MapPoint& point = *points_.back();
+  point.id = id;
+  point.position = position;
+  point.reference = keyframe;
+  AddObservation(id, keyframe, feature);
+  UpdatePointAppearance(id);
+  UpdatePointGeometry(id);
+  return point;
+}
+
+void Map::AddObservation(PointId point_id, KeyframeId keyframe_id, int feature) {
+  MapPoint& point = *FindPoint(point_id);
+  Keyframe& keyframe = *FindKeyframe(keyframe_id);
+  assert(keyframe.points[feature] == kNoPoint);
+  if (FindObservation(point, keyframe_id) != point.observations.end()) return;
+  const auto after = std::upper_bound(
+      point.observations.begin(), point.observations.end(), keyframe_id,
+      [](KeyframeId id, const Observation& o) { return id < o.keyframe; });
+  point.observations.insert(after, {keyframe_id, feature});
+  keyframe.points[feature] = point_id;
+}
+
+void Map::RemoveObservation(PointId point_id, KeyframeId keyframe_id) {
+  MapPoint* point = FindPoint(point_id);
+  if (point == nullptr) return;
+  const auto it = FindObservation(*point, keyframe_id);
+  if (it == point->observations.end()) return;
+  FindKeyframe(keyframe_id)->points[it->feature] = kNoPoint;
+  point->observations.erase(it);
+  if (point->observations.size() < 2) {
+    ErasePoint(point_id);
+  } else if (point->reference == keyframe_id) {
+    point->reference = point->observations.front().keyframe;
+    UpdatePointGeometry(point_id);
+  }
+}
+
+void Map::ErasePoint(PointId point_id) {
+  MapPoint* point = FindPoint(point_id);
+  if (point == nullptr) return;
+  for (const Observation& o : point->observations) {
+    FindKeyframe(o.keyframe)->points[o.feature] = kNoPoint;
+  }
+  points_[point_id - first_point_].reset();
+  --point_count_;
+}
+
+void Map::MergePoints(PointId from, PointId to) {
+  if (from == to) return;
+  const MapPoint& gone = *FindPoint(from);
+  const std::vector<Observation> observations = gone.observations;
+  MapPoint& kept = *FindPoint(to);
+  kept.visible += gone.visible;
+  kept.found += gone.found;
+  ErasePoint(from);
+  for (const Observation& o : observations) AddObservation(to, o.keyframe, o.feature);
+  merged_[from] = to;
+  UpdatePointAppearance(to);
+  UpdatePointGeometry(to);
+}
+
+void Map::CullKeyframe(KeyframeId id) {
+  const Keyframe& keyframe = *FindKeyframe(id);
+  assert(keyframe.parent != kNoKeyframe);
+  const std::vector<PointId> points = keyframe.points;
+  for (const PointId point : points) {
+    if (point != kNoPoint) RemoveObservation(point, id);
+  }
+  for (const auto& [other, shared] : keyframe.covisible) {
+    if (Keyframe* neighbour = FindKeyframe(other)) neighbour->covisible.erase(id);
+  }
+  AdoptChildrenOf(keyframe);
+  const Rigid3d& T_map_parent = FindKeyframe(keyframe.parent)->T_map_camera;
+  culled_[id] = {keyframe.features->stamp(), keyframe.parent,
+                 T_map_parent.inverse() * keyframe.T_map_camera};
+  keyframes_.erase(id);
+}
+
+void Map::AdoptChildrenOf(const Keyframe& keyframe) {
+  for (auto& [id, other] : keyframes_) {
+    if (other->parent == keyframe.id) other->parent = keyframe.parent;
+  }
+  const Rigid3d T_parent_keyframe =
+      FindKeyframe(keyframe.parent)->T_map_camera.inverse() * keyframe.T_map_camera;
+  for (auto& [id, other] : culled_) {
+    if (other.parent != keyframe.id) continue;
+    other.parent = keyframe.parent;
+    other.T_parent_keyframe = T_parent_keyframe * other.T_parent_keyframe;
+  }
+}
+
+void Map::UpdateCovisibility(KeyframeId id) {
+  Keyframe& keyframe = *FindKeyframe(id);
+  for (const auto& [other, shared] : keyframe.covisible) {
+    if (Keyframe* neighbour = FindKeyframe(other)) neighbour->covisible.erase(id);
+  }
+  keyframe.covisible.clear();
+  for (const PointId point_id : keyframe.points) {
+    const MapPoint* point = FindPoint(point_id);
+    if (point == nullptr) continue;
+    for (const Observation& o : point->observations) {
+      if (o.keyframe != id) ++keyframe.covisible[o.keyframe];
+    }
+  }
+  for (const auto& [other, shared] : keyframe.covisible) {
+    FindKeyframe(other)->covisible[id] = shared;
+  }
+  if (keyframe.parent != kNoKeyframe || id == keyframes_.begin()->first) return;
+  KeyframeId parent = kNoKeyframe;
+  int most_shared = 0;
+  for (const auto& [other, shared] : keyframe.covisible) {
+    if (other < id && shared > most_shared) parent = other, most_shared = shared;
+  }
+  // A view that shares nothing hangs on the one before it: the tree must reach every keyframe.
+  keyframe.parent = parent != kNoKeyframe ? parent : std::prev(keyframes_.find(id))->first;
+}
+
+void Map::UpdatePointAppearance(PointId id) {
+  MapPoint& point = *FindPoint(id);
+  if (point.observations.empty()) return;
+  std::vector<Descriptor> descriptors;
+  for (const Observation& o : point.observations) {
+    descriptors.push_back(FindKeyframe(o.keyframe)->features->descriptor(o.feature));
+  }
+  point.descriptor = descriptors[MedianDescriptor(descriptors)];
+}
+
+void Map::UpdatePointGeometry(PointId id) {
+  MapPoint& point = *FindPoint(id);
+  if (point.observations.empty()) return;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const Observation* reference = &point.observations.front();
+  for (const Observation& o : point.observations) {
+    const Keyframe& keyframe = *FindKeyframe(o.keyframe);
+    sum += (keyframe.T_map_camera.translation() - point.position).normalized();
+    if (o.keyframe == point.reference) reference = &o;
+  }
+  point.view_direction = sum.normalized();
+  const Keyframe& keyframe = *FindKeyframe(reference->keyframe);
+  const double distance = (keyframe.T_map_camera.translation() - point.position).norm();
+  const int octave = (*keyframe.features)[reference->feature].octave;
+  // At max_distance_m the patch fits level 0; at min_distance_m it fits the last level.
+  point.max_distance_m = distance * scales_[octave];
+  point.min_distance_m = point.max_distance_m / scales_.back();
+}
+
+Keyframe* Map::FindKeyframe(KeyframeId id) {
+  const auto it = keyframes_.find(id);
+  return it == keyframes_.end() ? nullptr : it->second.get();
+}
+
+const Keyframe* Map::FindKeyframe(KeyframeId id) const {
+  return const_cast<Map*>(this)->FindKeyframe(id);
+}
+
+MapPoint* Map::FindPoint(PointId id) {
+  const PointId index = id - first_point_;
+  if (index < 0 || index >= static_cast<PointId>(points_.size())) return nullptr;
+  return points_[index].get();
+}
+
+const MapPoint* Map::FindPoint(PointId id) const { return const_cast<Map*>(this)->FindPoint(id); }
+
+PointId Map::Resolve(PointId id) const {
+  for (auto it = merged_.find(id); it != merged_.end(); it = merged_.find(id)) id = it->second;
+  return FindPoint(id) != nullptr ? id : kNoPoint;
+}
+
+std::vector<KeyframeId> Map::BestCovisible(KeyframeId id, int limit, int min_shared) const {
+  std::vector<std::pair<int, KeyframeId>> order;  // ascending: most shared first, then oldest
+  for (const auto& [other, shared] : FindKeyframe(id)->covisible) {
+    if (shared >= min_shared) order.emplace_back(-shared, other);
+  }
+  std::sort(order.begin(), order.end());
+  if (static_cast<int>(order.size()) > limit) order.resize(limit);
+  std::vector<KeyframeId> best;
+  for (const auto& entry : order) best.push_back(entry.second);
+  return best;
+}
+
+int Map::CountPoints(KeyframeId id, int min_observations) const {
+  int count = 0;
+  for (const PointId point_id : FindKeyframe(id)->points) {
+    const MapPoint* point = FindPoint(point_id);
+    if (point != nullptr && static_cast<int>(point->observations.size()) >= min_observations) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+Rigid3d Map::KeyframePose(KeyframeId id) const {
+  if (const Keyframe* keyframe = FindKeyframe(id)) return keyframe->T_map_camera;
+  const Culled& culled = culled_.at(id);
+  return KeyframePose(culled.parent) * culled.T_parent_keyframe;
+}
+
+std::vector<Eigen::Vector3f> Map::PointPositions() const {
+  std::vector<Eigen::Vector3f> positions;
+  positions.reserve(point_count_);
+  for (const auto& point : points_) {
+    if (point != nullptr) positions.push_back(point->position.cast<float>());
+  }
+  return positions;
+}
+
+void Map::BumpRevision(RevisionReason reason) {
+  ++revision_;
+  reason_ = reason;
+}
+
+KeyframeGraph Map::Graph() const {
+  KeyframeGraph graph;
+  graph.map_id = map_id_;
+  graph.revision = revision_;
+  graph.reason = reason_;
+  for (const auto& [id, keyframe] : keyframes_) {
+    KeyframeNode node;
+    node.id = id;
+    node.stamp = keyframe->features->stamp();
+    node.T_map_keyframe = keyframe->T_map_camera;
+    node.parent_id = keyframe->parent;
+    if (node.parent_id != kNoKeyframe) {
+      node.T_parent_keyframe = KeyframePose(node.parent_id).inverse() * node.T_map_keyframe;
+    }
+    graph.keyframes.push_back(node);
+  }
+  for (const auto& [id, culled] : culled_) {
+    graph.keyframes.push_back(
+        {id, culled.stamp, KeyframePose(id), culled.parent, culled.T_parent_keyframe, true});
+  }
+  std::sort(graph.keyframes.begin(), graph.keyframes.end(),
+            [](const KeyframeNode& a, const KeyframeNode& b) { return a.id < b.id; });
+  return graph;
+}
+
+void Map::Clear() {
+  keyframes_.clear();
+  culled_.clear();
+  first_point_ += static_cast<PointId>(points_.size());
+  points_.clear();
+  merged_.clear();
+  point_count_ = 0;
+  ++map_id_;
+  BumpRevision(RevisionReason::kReset);
+}
+
+}  // namespace semantic_slam

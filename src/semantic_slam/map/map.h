@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "semantic_slam/common/keyframe_graph.h"
+#include "semantic_slam/common/transform.h"
+#include "semantic_slam/features/frame_features.h"
+
+namespace semantic_slam {
+
+using PointId = std::int64_t;
+constexpr PointId kNoPoint = -1;
+
+// Where a map point was seen.
+struct Observation {
+  KeyframeId keyframe;
+  int feature;  // index into the keyframe's features
+};
+
+// One landmark. Positions and directions are in the map frame.
+struct MapPoint {
+  PointId id = kNoPoint;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
+  Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  // unit; mean, from point to cameras
+  // Distances at which its patch fits the pyramid's levels [m].
+  double min_distance_m = 0.0;
+  double max_distance_m = 0.0;
+  Descriptor descriptor{};
+  KeyframeId reference = kNoKeyframe;  // the keyframe that gives its scale
+  std::vector<Observation> observations;  // by ascending keyframe
+  // Since its birth: images in which it should have been seen, and in which it was matched.
+  int visible = 1;
+  int found = 1;
+};
+
+// One view kept for good. Its features never change; which map point each one shows does.
+struct Keyframe {
+  KeyframeId id = kNoKeyframe;
+  std::shared_ptr<const FrameFeatures> features;
+  Rigid3d T_map_camera = Rigid3d::Identity();
+  std::vector<PointId> points;              // per feature; kNoPoint where it shows none
+  std::map<KeyframeId, int> covisible;      // number of points shared with other keyframes
+  KeyframeId parent = kNoKeyframe;          // spanning tree
+};
+
+// The map of camera localization: keyframes, points, who sees what, and the covisibility graph and
+// spanning tree that follow from it (Mur-Artal et al., ORB-SLAM, T-RO 2015, section III.C-D).
+//
+// Not thread-safe by itself: hold mutex() around every call when several threads use it. Iteration
+// is always by ascending id, so equal input gives equal maps.
+class Map {
+ public:
+  // `scales` are the feature pyramid's.
+  explicit Map(std::vector<float> scales);
+  Map(const Map&) = delete;
+  Map& operator=(const Map&) = delete;
+
+  std::mutex& mutex() const { return mutex_; }
+
+  // Adds a view; it sees no point yet. Its parent is set by UpdateCovisibility().
+  Keyframe& AddKeyframe(std::shared_ptr<const FrameFeatures> features, const Rigid3d& T_map_camera);
+
+  // Adds a point seen by one feature of one keyframe, with the descriptor and scale seen there.
+  MapPoint& AddPoint(const Eigen::Vector3d& position, KeyframeId keyframe, int feature);
+
+  // Precondition: the feature shows no point. Nothing happens if the keyframe already sees it.
+  void AddObservation(PointId point, KeyframeId keyframe, int feature);
+
+  // Erases the point too if fewer than two keyframes are left that see it.
+  void RemoveObservation(PointId point, KeyframeId keyframe);
+
+  void ErasePoint(PointId point);
+
+  // Gives all observations of `from` to `to`; keyframes that see both keep `to`'s feature. `from` is
+  // gone afterwards, and Resolve(from) == to.
+  void MergePoints(PointId from, PointId to);
+
+  // Takes the keyframe out: its observations go, its children get its parent, and the protocol's
+  // graph keeps it as a node that moves with its parent. Precondition: it is not the first one.
+  void CullKeyframe(KeyframeId keyframe);
+
+  // Recounts the points that the keyframe shares with others, and gives it the parent it shares
+  // most with if it has none.
+  void UpdateCovisibility(KeyframeId keyframe);
+
+  // Recomputes descriptor, view direction and distances from the observations.
+  void UpdatePointAppearance(PointId point);
+  void UpdatePointGeometry(PointId point);
+
+  // nullptr if there is no such keyframe or point (any more).
+  Keyframe* FindKeyframe(KeyframeId id);
+  const Keyframe* FindKeyframe(KeyframeId id) const;
+  MapPoint* FindPoint(PointId id);
+  const MapPoint* FindPoint(PointId id) const;
+
+  // The point that `id` is today, after merges; kNoPoint if it was erased.
+  PointId Resolve(PointId id) const;
+
+  // Keyframes sharing most points first; at most `limit`, each sharing at least `min_shared`.
+  std::vector<KeyframeId> BestCovisible(KeyframeId keyframe, int limit, int min_shared = 1) const;
+
+  // The points of the keyframe that at least `min_observations` keyframes see.
+  int CountPoints(KeyframeId keyframe, int min_observations) const;
+
+  // Pose of a keyframe, culled or not, through its living ancestors. Precondition: it has existed.
+  Rigid3d KeyframePose(KeyframeId id) const;
+
+  const std::map<KeyframeId, std::unique_ptr<Keyframe>>& keyframes() const { return keyframes_; }
+  std::size_t point_count() const { return point_count_; }
+  std::vector<Eigen::Vector3f> PointPositions() const;
+  const std::vector<float>& scales() const { return scales_; }
+
+  int map_id() const { return map_id_; }
+  std::uint64_t revision() const { return revision_; }
+  // To be called after poses of keyframes, or which keyframes there are, have changed.
+  void BumpRevision(RevisionReason reason);
+  KeyframeGraph Graph() const;
+
+  // Empties the map; map_id grows by one, keyframe and point ids go on.
+  void Clear();
+
+ private:
+  struct Culled {
+    Stamp stamp;
+    KeyframeId parent;
+    Rigid3d T_parent_keyframe;
+  };
+
+  void AdoptChildrenOf(const Keyframe& keyframe);
+
+  const std::vector<float> scales_;
+  mutable std::mutex mutex_;
+  std::map<KeyframeId, std::unique_ptr<Keyframe>> keyframes_;
+  std::map<KeyframeId, Culled> culled_;
+  // By id - first_point_; empty where the point was erased or merged. 8 bytes each stay behind.
+  std::vector<std::unique_ptr<MapPoint>> points_;
+  std::map<PointId, PointId> merged_;
+  PointId first_point_ = 0;
+  KeyframeId next_keyframe_ = 0;
+  std::size_t point_count_ = 0;
+  int map_id_ = 0;
+  std::uint64_t revision_ = 0;
+  RevisionReason reason_ = RevisionReason::kLocalBa;
+};
+
+}  // namespace semantic_slam

@@ -1,0 +1,355 @@
+#include "semantic_slam/tracking/tracker.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "semantic_slam/tracking/pose_optimizer.h"
+#include "semantic_slam/tracking/projection_matcher.h"
+#include "semantic_slam/tracking/relocalizer.h"
+
+namespace semantic_slam {
+namespace {
+
+constexpr int kMinMatchesFromLast = 20;
+constexpr int kMinInliersFromLast = 10;
+// After the camera was lost a pose is believed only with more support, for this many images.
+constexpr int kCautiousImages = 30;
+// Local map: search radius on level 0 for a view nearly from the front, and else.
+constexpr float kFrontalRadiusPx = 7.5f;
+constexpr float kObliqueRadiusPx = 12.0f;
+constexpr double kFrontalCosine = 0.998;
+constexpr double kMaxLocalRatio = 0.8;
+constexpr int kNeighboursPerLocalKeyframe = 10;
+// "Few near points": fewer than this are tracked while more than that could be had.
+constexpr int kFewTrackedNearPoints = 100;
+constexpr int kManyNewNearPoints = 70;
+
+Eigen::Vector3d Unproject(const Feature& feature, const CameraModel& camera) {
+  return camera.Unproject(feature.pixel.x(), feature.pixel.y(), feature.depth_m);
+}
+
+std::vector<bool> Taken(const std::vector<PointId>& points) {
+  std::vector<bool> taken(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) taken[i] = points[i] != kNoPoint;
+  return taken;
+}
+
+PoseObservation Observe(const Eigen::Vector3d& p_map, const Feature& feature,
+                        const std::vector<float>& scales) {
+  return {p_map, feature.pixel.cast<double>(), feature.depth_m, scales[feature.octave]};
+}
+
+}  // namespace
+
+Tracker::Tracker(const TrackerOptions& options, std::shared_ptr<const CameraModel> camera, Map& map)
+    : options_(options), noise_{options.depth_sigma_at_1m_m}, camera_(std::move(camera)), map_(map) {
+  Validate(options_);
+}
+
+void Tracker::Reset() {
+  status_ = TrackingStatus::kInitializing;
+  last_ = Frame();
+  motion_.Reset();
+  T_odom_camera_ = T_map_start_;
+  images_since_keyframe_ = 0;
+}
+
+TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool keyframe_allowed) {
+  std::lock_guard<std::mutex> lock(map_.mutex());
+  Frame frame;
+  frame.points.assign(features->size(), kNoPoint);
+  frame.features = std::move(features);
+  if (status_ == TrackingStatus::kInitializing) {
+    if (!Initialise(frame)) return Finish(frame, TrackingStatus::kInitializing, std::nullopt);
+    return Finish(frame, TrackingStatus::kTracking, frame.reference);
+  }
+  ++images_since_keyframe_;
+  ++images_since_relocalization_;
+  bool found = false;
+  if (status_ == TrackingStatus::kTracking) {
+    last_.T_map_camera = map_.KeyframePose(last_.reference) * last_.T_reference_camera;
+    const Rigid3d T_map_predicted =
+        last_.T_map_camera * motion_.Predict(last_.features->stamp(), frame.features->stamp());
+    found = TrackFromLast(frame, T_map_predicted, options_.search_radius_px) ||
+            TrackFromLast(frame, T_map_predicted, 2.0 * options_.search_radius_px);
+  }
+  found = found && TrackLocalMap(frame, images_since_relocalization_ < kCautiousImages
+                                            ? options_.min_relocalization_inliers
+                                            : options_.min_inliers);
+  if (!found && !Relocalise(frame)) return Finish(frame, TrackingStatus::kLost, std::nullopt);
+
+  TrackerResult result;
+  std::optional<KeyframeId> new_keyframe;
+  const bool wants_keyframe = WantsKeyframe(frame);
+  if (wants_keyframe && keyframe_allowed) new_keyframe = InsertKeyframe(frame);
+  result = Finish(frame, TrackingStatus::kTracking, new_keyframe);
+  result.keyframe_rejected = wants_keyframe && !keyframe_allowed;
+  return result;
+}
+
+bool Tracker::Initialise(Frame& frame) {
+  int with_depth = 0;
+  for (const Feature& feature : frame.features->features()) with_depth += feature.has_depth();
+  if (with_depth < options_.min_initial_points) return false;
+  frame.T_map_camera = T_map_start_;
+  T_odom_camera_ = T_map_start_;
+  images_since_relocalization_ = kCautiousImages;
+  InsertKeyframe(frame);
+  return true;
+}
+
+// Matches the features of the last image that have a map point or at least depth.
+bool Tracker::TrackFromLast(Frame& frame, const Rigid3d& T_map_predicted, double radius_px) const {
+  const Rigid3d T_camera_map = T_map_predicted.inverse();
+  std::vector<ProjectionCandidate> candidates;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<PointId> ids;
+  for (std::size_t i = 0; i < last_.features->size(); ++i) {
+    const Feature& feature = (*last_.features)[i];
+    const PointId id = map_.Resolve(last_.points[i]);
+    if (id == kNoPoint && !feature.has_depth()) continue;
+    const Eigen::Vector3d p_map = id != kNoPoint ? map_.FindPoint(id)->position
+                                                 : last_.T_map_camera * Unproject(feature, *camera_);
+    const Eigen::Vector3d p_camera = T_camera_map * p_map;
+    if (!(p_camera.z() > 0.0)) continue;
+    const Eigen::Vector2f pixel = camera_->Project(p_camera).cast<float>();
+    if (!camera_->undistorted_bounds().contains(cv::Point2f(pixel.x(), pixel.y()))) continue;
+    candidates.push_back({pixel, static_cast<float>(radius_px) * map_.scales()[feature.octave],
+                          feature.octave - 1, feature.octave + 1, feature.angle_rad,
+                          &last_.features->descriptor(i)});
+    positions.push_back(p_map);
+    ids.push_back(id);
+  }
+  ProjectionMatchingOptions matching;
+  matching.check_rotation = true;
+  const std::vector<int> matches = MatchByProjection(
+      candidates, *frame.features, std::vector<bool>(frame.features->size(), false), matching);
+
+  std::vector<PoseObservation> observations;
+  std::vector<std::pair<int, PointId>> matched;  // feature, point
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (matches[i] < 0) continue;
+    observations.push_back(Observe(positions[i], (*frame.features)[matches[i]], map_.scales()));
+    matched.emplace_back(matches[i], ids[i]);
+  }
+  if (static_cast<int>(matched.size()) < kMinMatchesFromLast) return false;
+  const PoseEstimate estimate = OptimizePose(observations, T_map_predicted, *camera_, noise_);
+  if (estimate.inliers < kMinInliersFromLast) return false;
+  frame.T_map_camera = estimate.T_map_camera;
+  std::fill(frame.points.begin(), frame.points.end(), kNoPoint);
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    if (estimate.is_inlier[i]) frame.points[matched[i].first] = matched[i].second;
+  }
+  frame.reference = last_.reference;
+  return true;
+}
+
+// Half of the candidates are the latest keyframes, the others take turns, so that every keyframe of
+// a large map is tried once in a while.
+std::vector<KeyframeId> Tracker::RelocalizationCandidates() {
+  std::vector<KeyframeId> all;
+  for (const auto& entry : map_.keyframes()) all.push_back(entry.first);
+  std::reverse(all.begin(), all.end());
+  const std::size_t limit = options_.relocalization_keyframes;
+  if (all.size() <= limit) return all;
+  const std::size_t latest = (limit + 1) / 2;
+  std::vector<KeyframeId> candidates(all.begin(), all.begin() + latest);
+  const std::size_t older = all.size() - latest;
+  while (candidates.size() < limit) candidates.push_back(all[latest + next_old_keyframe_++ % older]);
+  return candidates;
+}
+
+bool Tracker::Relocalise(Frame& frame) {
+  for (const KeyframeId candidate : RelocalizationCandidates()) {
+    auto found = RelocalizeByKeyframe(*frame.features, map_, candidate, *camera_, noise_,
+                                      options_.min_inliers);
+    if (!found) continue;
+    frame.T_map_camera = found->T_map_camera;
+    frame.points = std::move(found->points);
+    frame.reference = candidate;
+    if (!TrackLocalMap(frame, options_.min_relocalization_inliers)) continue;
+    motion_.Reset();
+    images_since_relocalization_ = 0;
+    return true;
+  }
+  return false;
+}
+
+bool Tracker::TrackLocalMap(Frame& frame, int min_inliers) {
+  MatchLocalPoints(frame, CollectLocalPoints(frame));
+  OptimiseFrame(frame);
+  return frame.inliers >= min_inliers;
+}
+
+// The points of all keyframes that share points with the frame, and of those keyframes' neighbours.
+// Also makes the keyframe that shares most the frame's reference.
+std::vector<PointId> Tracker::CollectLocalPoints(Frame& frame) const {
+  std::map<KeyframeId, int> votes;
+  for (const PointId id : frame.points) {
+    if (id == kNoPoint) continue;
+    for (const Observation& o : map_.FindPoint(id)->observations) ++votes[o.keyframe];
+  }
+  if (votes.empty()) votes[frame.reference] = 0;  // its point may be gone; start from what is known
+  std::vector<std::pair<int, KeyframeId>> order;
+  for (const auto& [id, count] : votes) {
+    if (map_.FindKeyframe(id) != nullptr) order.emplace_back(-count, id);
+  }
+  std::sort(order.begin(), order.end());
+  if (!order.empty()) frame.reference = order.front().second;
+
+  std::vector<KeyframeId> local;
+  std::set<KeyframeId> seen;
+  const auto add = [&](KeyframeId id) {
+    if (static_cast<int>(local.size()) < options_.max_local_keyframes && seen.insert(id).second) {
+      local.push_back(id);
+    }
+  };
+  for (const auto& entry : order) add(entry.second);
+  const std::size_t direct = local.size();
+  for (std::size_t i = 0; i < direct; ++i) {
+    for (const KeyframeId id : map_.BestCovisible(local[i], kNeighboursPerLocalKeyframe)) add(id);
+  }
+  std::vector<PointId> points;
+  for (const KeyframeId id : local) {
+    for (const PointId point : map_.FindKeyframe(id)->points) {
+      if (point != kNoPoint) points.push_back(point);
+    }
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+void Tracker::MatchLocalPoints(Frame& frame, const std::vector<PointId>& local_points) {
+  std::set<PointId> matched(frame.points.begin(), frame.points.end());
+  for (const PointId id : matched) {
+    if (id != kNoPoint) ++map_.FindPoint(id)->visible;
+  }
+  const Rigid3d T_camera_map = frame.T_map_camera.inverse();
+  std::vector<ProjectionCandidate> candidates;
+  std::vector<PointId> ids;
+  // Wider while the pose is still rough.
+  const float widen = images_since_relocalization_ < 2 ? 2.0f : 1.0f;
+  for (const PointId id : local_points) {
+    if (matched.count(id) > 0) continue;
+    MapPoint& point = *map_.FindPoint(id);
+    const auto view = PredictView(point, T_camera_map, *camera_, map_.scales());
+    if (!view) continue;
+    ++point.visible;
+    const float radius = view->view_cosine > kFrontalCosine ? kFrontalRadiusPx : kObliqueRadiusPx;
+    candidates.push_back({view->pixel, widen * radius * map_.scales()[view->octave],
+                          view->octave - 1, view->octave + 1, 0.0f, &point.descriptor});
+    ids.push_back(id);
+  }
+  ProjectionMatchingOptions matching;
+  matching.max_ratio = kMaxLocalRatio;
+  const std::vector<int> matches =
+      MatchByProjection(candidates, *frame.features, Taken(frame.points), matching);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    if (matches[i] >= 0) frame.points[matches[i]] = ids[i];
+  }
+}
+
+void Tracker::OptimiseFrame(Frame& frame) {
+  std::vector<PoseObservation> observations;
+  std::vector<std::size_t> features;
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {
+    if (frame.points[i] == kNoPoint) continue;
+    observations.push_back(
+        Observe(map_.FindPoint(frame.points[i])->position, (*frame.features)[i], map_.scales()));
+    features.push_back(i);
+  }
+  const PoseEstimate estimate = OptimizePose(observations, frame.T_map_camera, *camera_, noise_);
+  frame.T_map_camera = estimate.T_map_camera;
+  frame.inliers = estimate.inliers;
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    if (estimate.is_inlier[k]) {
+      ++map_.FindPoint(frame.points[features[k]])->found;
+    } else {
+      frame.points[features[k]] = kNoPoint;
+    }
+  }
+}
+
+// After Mur-Artal and Tardos, ORB-SLAM2, section III.E: often rather than seldom, because local
+// mapping takes out what turns out to be redundant.
+bool Tracker::WantsKeyframe(const Frame& frame) const {
+  if (images_since_keyframe_ >= options_.max_keyframe_gap) return true;
+  int tracked_near = 0, new_near = 0;
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {
+    const Feature& feature = (*frame.features)[i];
+    if (!feature.has_depth() || feature.depth_m > options_.max_point_depth_m) continue;
+    ++(frame.points[i] != kNoPoint ? tracked_near : new_near);
+  }
+  if (tracked_near < kFewTrackedNearPoints && new_near > kManyNewNearPoints) return true;
+  const int min_observations = map_.keyframes().size() <= 2 ? 2 : 3;
+  const int reference_points = map_.CountPoints(frame.reference, min_observations);
+  return frame.inliers < options_.min_tracked_ratio * reference_points;
+}
+
+KeyframeId Tracker::InsertKeyframe(Frame& frame) {
+  Keyframe& keyframe = map_.AddKeyframe(frame.features, frame.T_map_camera);
+  std::vector<std::pair<float, int>> without_point;  // depth, feature
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {
+    if (frame.points[i] != kNoPoint) {
+      map_.AddObservation(frame.points[i], keyframe.id, static_cast<int>(i));
+      map_.UpdatePointAppearance(frame.points[i]);
+      map_.UpdatePointGeometry(frame.points[i]);
+    } else if ((*frame.features)[i].has_depth()) {
+      without_point.emplace_back((*frame.features)[i].depth_m, static_cast<int>(i));
+    }
+  }
+  std::sort(without_point.begin(), without_point.end());
+  int added = 0;
+  for (const auto& [depth_m, i] : without_point) {
+    if (depth_m > options_.max_point_depth_m && added >= options_.min_new_points) break;
+    const Eigen::Vector3d p_camera = Unproject((*frame.features)[i], *camera_);
+    frame.points[i] = map_.AddPoint(frame.T_map_camera * p_camera, keyframe.id, i).id;
+    ++added;
+  }
+  map_.UpdateCovisibility(keyframe.id);
+  map_.BumpRevision(RevisionReason::kLocalBa);
+  frame.reference = keyframe.id;
+  images_since_keyframe_ = 0;
+  return keyframe.id;
+}
+
+TrackerResult Tracker::Finish(Frame& frame, TrackingStatus status,
+                              std::optional<KeyframeId> new_keyframe) {
+  const bool was_tracking = status_ == TrackingStatus::kTracking;
+  status_ = status;
+  TrackerResult result;
+  result.new_keyframe = new_keyframe;
+  result.is_inlier.assign(frame.points.size(), false);
+  TrackedImage& image = result.image;
+  image.stamp = frame.features->stamp();
+  image.status = status;
+  image.map_id = map_.map_id();
+  if (status != TrackingStatus::kTracking) return result;
+
+  frame.T_reference_camera =
+      map_.FindKeyframe(frame.reference)->T_map_camera.inverse() * frame.T_map_camera;
+  if (last_.features != nullptr) {
+    const Rigid3d T_map_last = map_.KeyframePose(last_.reference) * last_.T_reference_camera;
+    const Rigid3d T_last_camera = T_map_last.inverse() * frame.T_map_camera;
+    T_odom_camera_ = Orthonormalised(T_odom_camera_ * T_last_camera);
+    if (was_tracking) {
+      motion_.Update(last_.features->stamp(), frame.features->stamp(), T_last_camera);
+    }
+  }
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {
+    result.is_inlier[i] = frame.points[i] != kNoPoint;
+  }
+  image.keyframe_id = frame.reference;
+  image.T_keyframe_camera = frame.T_reference_camera;
+  image.T_map_camera = frame.T_map_camera;
+  image.T_odom_camera = T_odom_camera_;
+  image.inliers = frame.inliers;
+  image.is_keyframe = new_keyframe.has_value();
+  last_ = std::move(frame);
+  return result;
+}
+
+}  // namespace semantic_slam

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/common/keyframe_graph.h"
+#include "semantic_slam/common/options.h"
+#include "semantic_slam/features/frame_features.h"
+#include "semantic_slam/map/map.h"
+#include "semantic_slam/map/observation_noise.h"
+#include "semantic_slam/tracking/motion_model.h"
+
+namespace semantic_slam {
+
+struct TrackerOptions {
+  double depth_sigma_at_1m_m = 0.01;  // of the depth sensor; grows with depth squared
+  double max_point_depth_m = 4.0;  // features farther away become map points only where few are near
+  int min_initial_points = 100;    // features with depth that a new map needs
+  int min_inliers = 15;            // fewer, and the camera counts as lost
+  int min_relocalization_inliers = 30;
+  int relocalization_keyframes = 20;  // tried per lost image: half the latest, half by turns the rest
+  double search_radius_px = 15.0;     // about the predicted pixel; doubled at the second try
+  int max_local_keyframes = 60;       // whose points are looked for in each image
+  int max_keyframe_gap = 30;          // images after which a keyframe is wanted anyhow
+  double min_tracked_ratio = 0.75;  // a keyframe is wanted when the image shows less than this share
+                                    // of its reference keyframe's points
+  int min_new_points = 100;  // nearest features per keyframe that become points whatever their depth
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor&& visit) {
+    visit("depth_sigma_at_1m_m", self.depth_sigma_at_1m_m, 1e-4, 1.0);
+    visit("max_point_depth_m", self.max_point_depth_m, 0.5, 100.0);
+    visit("min_initial_points", self.min_initial_points, 20, 10000);
+    visit("min_inliers", self.min_inliers, 6, 1000);
+    visit("min_relocalization_inliers", self.min_relocalization_inliers, 6, 1000);
+    visit("relocalization_keyframes", self.relocalization_keyframes, 1, 1000);
+    visit("search_radius_px", self.search_radius_px, 2.0, 200.0);
+    visit("max_local_keyframes", self.max_local_keyframes, 1, 1000);
+    visit("max_keyframe_gap", self.max_keyframe_gap, 1, 10000);
+    visit("min_tracked_ratio", self.min_tracked_ratio, 0.1, 1.0);
+    visit("min_new_points", self.min_new_points, 0, 10000);
+  }
+};
+
+struct TrackerResult {
+  TrackedImage image;
+  // Set if the image became a keyframe: local mapping's next piece of work.
+  std::optional<KeyframeId> new_keyframe;
+  // Per feature: whether it shows a map point that supports the pose.
+  std::vector<bool> is_inlier;
+  // A keyframe was wanted but local mapping was busy.
+  bool keyframe_rejected = false;
+};
+
+// Thesis section 3.2.1 and 3.2.2: the pose of each image against the map, and the decision which
+// images become keyframes. Holds the map's mutex while it works on the map. For one thread.
+//
+// An image is matched to the one before by a constant-velocity prediction, then to all points of the
+// keyframes around; a camera that is lost is found again by single keyframes.
+class Tracker {
+ public:
+  // Throws ConfigError if an option is out of range.
+  Tracker(const TrackerOptions& options, std::shared_ptr<const CameraModel> camera, Map& map);
+
+  // The pose of the image that starts a map.
+  void SetStart(const Rigid3d& T_map_camera) { T_map_start_ = T_map_camera; }
+
+  // `keyframe_allowed`: whether local mapping can take a keyframe now.
+  TrackerResult Track(std::shared_ptr<const FrameFeatures> features, bool keyframe_allowed);
+
+  // Forgets the last image, not the map: to be called with Map::Clear().
+  void Reset();
+
+ private:
+  // One image on its way through the stages.
+  struct Frame {
+    std::shared_ptr<const FrameFeatures> features;
+    std::vector<PointId> points;  // per feature; kNoPoint where none is matched
+    Rigid3d T_map_camera = Rigid3d::Identity();
+    KeyframeId reference = kNoKeyframe;
+    Rigid3d T_reference_camera = Rigid3d::Identity();
+    int inliers = 0;
+  };
+
+  bool Initialise(Frame& frame);
+  bool TrackFromLast(Frame& frame, const Rigid3d& T_map_predicted, double radius_px) const;
+  bool Relocalise(Frame& frame);
+  std::vector<KeyframeId> RelocalizationCandidates();
+  bool TrackLocalMap(Frame& frame, int min_inliers);
+  std::vector<PointId> CollectLocalPoints(Frame& frame) const;
+  void MatchLocalPoints(Frame& frame, const std::vector<PointId>& local_points);
+  void OptimiseFrame(Frame& frame);
+  bool WantsKeyframe(const Frame& frame) const;
+  KeyframeId InsertKeyframe(Frame& frame);
+  TrackerResult Finish(Frame& frame, TrackingStatus status, std::optional<KeyframeId> new_keyframe);
+
+  const TrackerOptions options_;
+  const ObservationNoise noise_;
+  const std::shared_ptr<const CameraModel> camera_;
+  Map& map_;
+
+  Rigid3d T_map_start_ = Rigid3d::Identity();
+  TrackingStatus status_ = TrackingStatus::kInitializing;
+  Frame last_;
+  MotionModel motion_;
+  Rigid3d T_odom_camera_ = Rigid3d::Identity();
+  int images_since_keyframe_ = 0;
+  int images_since_relocalization_ = 0;
+  std::size_t next_old_keyframe_ = 0;  // whose turn it is among the older ones
+};
+
+}  // namespace semantic_slam

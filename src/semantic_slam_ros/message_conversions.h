@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <nav_msgs/Path.h>
+#include <semantic_slam/KeyframeArray.h>
+#include <semantic_slam/TrackingState.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <std_msgs/Header.h>
+
+#include "semantic_slam/common/keyframe_graph.h"
+#include "semantic_slam/evaluation/trajectory.h"
+
+// The core's results as this package's messages. Frames are given without leading slash.
+
+namespace semantic_slam_ros {
+
+semantic_slam::TrackingState ToTrackingState(const semantic_slam::TrackedImage& image,
+                                             const std::string& map_frame,
+                                             const std::string& camera_frame);
+
+// Stamped with the newest keyframe; zero if there is none.
+semantic_slam::KeyframeArray ToKeyframeArray(const semantic_slam::KeyframeGraph& graph,
+                                             const std::string& map_frame);
+
+// Stamped with the last pose. Precondition: not empty.
+nav_msgs::Path ToPath(const semantic_slam::Trajectory& trajectory, const std::string& frame);
+
+// Fields x y z (float32) [m].
+sensor_msgs::PointCloud2 ToPointCloud2(const std::vector<Eigen::Vector3f>& points,
+                                       const std_msgs::Header& header);
+
+}  // namespace semantic_slam_ros

@@ -1,0 +1,211 @@
+#include "semantic_slam/dataset/image_pairer.h"
+
+#include <memory>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "semantic_slam/common/error.h"
+
+namespace semantic_slam {
+namespace {
+
+Stamp Ms(std::int64_t ms) {
+  return {ms * 1'000'000};
+}
+
+std::vector<Stamp> StampsOf(std::initializer_list<std::int64_t> all_ms) {
+  std::vector<Stamp> stamps;
+  for (const std::int64_t ms : all_ms) stamps.push_back(Ms(ms));
+  return stamps;
+}
+
+// "0-1 2-0": colour 0 with depth 1, colour 2 with depth 0.
+std::string ToText(const std::vector<PairIndices>& pairs) {
+  std::string text;
+  for (const auto& [colour, depth] : pairs) {
+    text += (text.empty() ? "" : " ") + std::to_string(colour) + "-" + std::to_string(depth);
+  }
+  return text;
+}
+
+std::string Paired(const std::vector<Stamp>& colour, const std::vector<Stamp>& depth) {
+  return ToText(PairStamps(colour, depth, 0.02));
+}
+
+TEST(PairStampsTest, TakesTheGloballyNearestFirst) {
+  // Colour 0 comes first and is within 20 ms of depth 0, but colour 1 is nearer to it.
+  EXPECT_EQ(Paired(StampsOf({100, 115}), StampsOf({112})), "1-0");
+}
+
+TEST(PairStampsTest, IsOneToOneAndOrderedByColour) {
+  EXPECT_EQ(Paired(StampsOf({0, 33, 66}), StampsOf({2, 30, 70})), "0-0 1-1 2-2");
+}
+
+TEST(PairStampsTest, GivesTheLoserItsNextNearest) {
+  // Depth 0 goes to colour 1 (5 ms); colour 0 takes depth 1 although it is 12 ms away.
+  EXPECT_EQ(Paired(StampsOf({100, 115}), StampsOf({110, 112})), "0-0 1-1");
+  EXPECT_EQ(Paired(StampsOf({100, 109}), StampsOf({108, 112})), "0-1 1-0");
+}
+
+TEST(PairStampsTest, TheGapIsInclusive) {
+  EXPECT_EQ(Paired(StampsOf({0, 100}), StampsOf({20, 121})), "0-0");
+}
+
+TEST(PairStampsTest, OfEqualGapsTheEarlierWins) {
+  EXPECT_EQ(Paired(StampsOf({0, 10}), StampsOf({5})), "0-0");
+  EXPECT_EQ(Paired(StampsOf({5}), StampsOf({0, 10})), "0-0");
+}
+
+TEST(PairStampsTest, EmptyListsHaveNoPairs) {
+  EXPECT_TRUE(PairStamps({}, StampsOf({1}), 0.02).empty());
+  EXPECT_TRUE(PairStamps(StampsOf({1}), {}, 0.02).empty());
+}
+
+using Pairer = ImagePairer<int>;
+
+ImagePairerOptions Waiting() {
+  ImagePairerOptions options;
+  options.min_period_s = 0.0;
+  return options;
+}
+
+TEST(ImagePairerTest, EqualStampsLeaveAtOnce) {
+  Pairer pairer(Waiting());
+  EXPECT_TRUE(pairer.AddColour(Ms(100), 1).pairs.empty());
+  const auto pairs = pairer.AddDepth(Ms(100), 2).pairs;
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].colour, 1);
+  EXPECT_EQ(pairs[0].depth, 2);
+}
+
+TEST(ImagePairerTest, CarriesBothStamps) {
+  Pairer pairer;
+  pairer.AddDepth(Ms(104), 2);
+  const auto pairs = pairer.AddColour(Ms(100), 1).pairs;
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].stamp, Ms(100));
+  EXPECT_EQ(pairs[0].depth_stamp, Ms(104));
+}
+
+TEST(ImagePairerTest, WaitsWhileANearerImageMayCome) {
+  Pairer pairer(Waiting());
+  pairer.AddColour(Ms(100), 0);
+  EXPECT_TRUE(pairer.AddDepth(Ms(112), 0).pairs.empty());  // a colour image at 112 may still come
+  const auto pairs = pairer.AddColour(Ms(115), 1).pairs;   // and at 115 it does
+  EXPECT_TRUE(pairs.empty());  // one at 113 cannot come any more, but depth at 116 may
+  const auto flushed = pairer.Flush();
+  ASSERT_EQ(flushed.size(), 1u);
+  EXPECT_EQ(flushed[0].colour, 1);
+  EXPECT_EQ(pairer.counts().unpaired_colour, 1u);
+}
+
+TEST(ImagePairerTest, KnowingThePeriodSparesTheWait) {
+  Pairer pairer;  // no other colour image before 115 ms
+  pairer.AddColour(Ms(100), 0);
+  EXPECT_EQ(pairer.AddDepth(Ms(107), 0).pairs.size(), 1u);
+}
+
+TEST(ImagePairerTest, DropsAndCountsImagesWithoutPartner) {
+  Pairer pairer;
+  for (const int ms : {0, 33, 66, 100}) pairer.AddColour(Ms(ms), ms);
+  std::vector<Pairer::Pair> pairs = pairer.AddDepth(Ms(101), 0).pairs;
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].colour, 100);
+  EXPECT_EQ(pairer.counts().unpaired_colour, 3u);
+  for (const int ms : {133, 166, 200}) pairer.AddDepth(Ms(ms), ms);
+  pairer.AddColour(Ms(200), 0);
+  EXPECT_EQ(pairer.counts().unpaired_depth, 2u);
+}
+
+TEST(ImagePairerTest, HoldsNoMoreThanItsCapacity) {
+  ImagePairerOptions options;
+  options.capacity = 3;
+  ImagePairer<std::shared_ptr<int>> pairer(options);
+  const auto image = std::make_shared<int>(0);
+  for (int i = 0; i < 100; ++i) pairer.AddColour(Ms(33 * i), image);
+  EXPECT_EQ(image.use_count(), 1 + 3);
+  EXPECT_EQ(pairer.counts().unpaired_colour, 97u);
+}
+
+TEST(ImagePairerTest, LeavesOutWhatComesTwiceOrLate) {
+  Pairer pairer;
+  pairer.AddColour(Ms(500), 1);
+  pairer.AddColour(Ms(500), 2);
+  pairer.AddColour(Ms(467), 3);
+  const auto pairs = pairer.AddDepth(Ms(500), 0).pairs;
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].colour, 1);
+  EXPECT_EQ(pairer.counts().out_of_order, 2u);
+}
+
+TEST(ImagePairerTest, ForgetsAndSaysSoWhenTimeJumpsBack) {
+  Pairer pairer;
+  pairer.AddColour(Ms(10'000), 1);
+  const auto jump = pairer.AddDepth(Ms(10'000), 1);
+  EXPECT_FALSE(jump.jumped_back);
+  pairer.AddColour(Ms(10'033), 2);
+  EXPECT_TRUE(pairer.AddColour(Ms(0), 3).jumped_back);
+  const auto again = pairer.AddDepth(Ms(0), 3);
+  EXPECT_FALSE(again.jumped_back);
+  ASSERT_EQ(again.pairs.size(), 1u);
+  EXPECT_EQ(again.pairs[0].colour, 3);
+  EXPECT_EQ(pairer.counts().jumps_back, 1u);
+  EXPECT_EQ(pairer.counts().unpaired_colour, 1u);
+}
+
+TEST(ImagePairerTest, RefusesOptionsOutOfRange) {
+  ImagePairerOptions options;
+  options.max_gap_s = -1.0;
+  EXPECT_THROW(Pairer{options}, ConfigError);
+}
+
+// 30 Hz with jitter and gaps; strictly ascending.
+std::vector<Stamp> JitteryStream(std::mt19937& random) {
+  std::uniform_int_distribution<int> step_ms(1, 45);
+  std::vector<Stamp> stamps;
+  std::int64_t ms = 1000;
+  for (int i = 0; i < 200; ++i) stamps.push_back(Ms(ms += step_ms(random)));
+  return stamps;
+}
+
+// Feeds both streams in an order in which they could arrive: by stamp, each delayed on its own.
+std::string PairedAsTheyArrive(const std::vector<Stamp>& colour, const std::vector<Stamp>& depth,
+                               std::int64_t depth_delay_ms) {
+  ImagePairerOptions options = Waiting();
+  options.capacity = 200;
+  ImagePairer<std::size_t> pairer(options);
+  std::vector<PairIndices> indices;
+  const auto keep = [&](const std::vector<ImagePairer<std::size_t>::Pair>& pairs) {
+    for (const auto& pair : pairs) indices.push_back({pair.colour, pair.depth});
+  };
+  std::size_t c = 0, d = 0;
+  while (c < colour.size() || d < depth.size()) {
+    const bool colour_next =
+        d == depth.size() ||
+        (c < colour.size() && colour[c].ns <= depth[d].ns + Ms(depth_delay_ms).ns);
+    keep(colour_next ? pairer.AddColour(colour[c], c).pairs : pairer.AddDepth(depth[d], d).pairs);
+    ++(colour_next ? c : d);
+  }
+  keep(pairer.Flush());
+  const auto counts = pairer.counts();
+  EXPECT_EQ(counts.unpaired_colour + indices.size(), colour.size());
+  EXPECT_EQ(counts.unpaired_depth + indices.size(), depth.size());
+  return ToText(indices);
+}
+
+TEST(ImagePairerTest, StreamsGiveThePairsOfTheWholeLists) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i) {
+    const auto colour = JitteryStream(random);
+    const auto depth = JitteryStream(random);
+    const std::string expected = Paired(colour, depth);
+    for (const int delay_ms : {-300, 0, 100}) {
+      ASSERT_EQ(PairedAsTheyArrive(colour, depth, delay_ms), expected) << "streams " << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace semantic_slam
