@@ -20,16 +20,13 @@ CameraIntrinsics ReadIntrinsics(YamlReader group) {
   return c;
 }
 
-Eigen::Matrix3d ReadRotation(YamlReader group) {
-  std::vector<double> rows{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  group.Read("R_camera_imu", rows);
-  group.Finish();
+Eigen::Matrix3d ToRotation(const std::vector<double>& rows) {
   if (rows.size() != 9) {
     throw ConfigError("imu/R_camera_imu has " + std::to_string(rows.size()) +
                       " numbers, expected 9 (rows of a rotation)");
   }
-  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
-      rows.data());
+  const Eigen::Matrix3d R =
+      Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.data());
   // 1e-3: hand-written rotations are rounded to a few digits.
   if (!((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-3 && R.determinant() > 0)) {
     throw ConfigError("imu/R_camera_imu is not a rotation");
@@ -42,11 +39,20 @@ Eigen::Matrix3d ReadRotation(YamlReader group) {
 CameraConfig ReadCameraConfig(YamlReader& file) {
   CameraConfig config;
   config.intrinsics = ReadIntrinsics(file.Group("camera"));
-  config.R_camera_imu = ReadRotation(file.Group("imu"));
+  std::vector<double> rotation_rows{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  YamlReader imu = file.Group("imu");
+  imu.Read("R_camera_imu", rotation_rows);
+  imu.Finish();
   YamlReader dataset = file.Group("dataset");
   dataset.Read("depth_png_factor", config.depth_png_factor);
   dataset.Finish();
-  CheckInRange("dataset/depth_png_factor", config.depth_png_factor, 1.0, 1e6);
+  try {
+    CheckIntrinsics(config.intrinsics);
+    config.R_camera_imu = ToRotation(rotation_rows);
+    CheckInRange("dataset/depth_png_factor", config.depth_png_factor, 1.0, 1e6);
+  } catch (const ConfigError& e) {
+    throw ConfigError(file.path() + ": " + e.what());
+  }
   return config;
 }
 

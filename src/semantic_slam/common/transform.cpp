@@ -1,5 +1,7 @@
 #include "semantic_slam/common/transform.h"
 
+#include <Eigen/SVD>
+
 namespace semantic_slam {
 
 Eigen::Matrix3d Skew(const Eigen::Vector3d& v) {
@@ -19,7 +21,7 @@ double RotationAngle(const Eigen::Matrix3d& R) { return Eigen::AngleAxisd(R).ang
 
 Rigid3d Orthonormalised(const Rigid3d& T) {
   Rigid3d result = T;
-  result.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
+  result.linear() = Eigen::Affine3d(T.matrix()).rotation();  // the orthogonal polar factor, by SVD
   return result;
 }
 

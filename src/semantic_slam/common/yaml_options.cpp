@@ -1,6 +1,7 @@
 #include "semantic_slam/common/yaml_options.h"
 
 #include <fstream>
+#include <ios>
 #include <utility>
 
 namespace semantic_slam {
@@ -26,6 +27,8 @@ YAML::Node LoadYamlMap(const std::string& path) {
     node = YAML::Load(file);
   } catch (const YAML::Exception& e) {
     throw ConfigError(path + ":" + std::to_string(e.mark.line + 1) + ": not valid YAML: " + e.msg);
+  } catch (const std::ios_base::failure&) {  // it is a folder, or the disk fails
+    throw ConfigError("cannot read configuration file " + path);
   }
   if (!node.IsMap()) throw ConfigError(path + ": expected a mapping of key: value");
   return node;
@@ -40,8 +43,12 @@ YamlReader YamlReader::Group(const std::string& key) {
 }
 
 void YamlReader::Finish() const {
+  std::set<std::string> seen;
   for (const auto& entry : map_) {
     const auto key = entry.first.as<std::string>();
+    if (!seen.insert(key).second) {
+      throw ConfigError(At(path_, entry.first) + "key " + FullName(key) + " appears twice");
+    }
     if (known_.count(key) == 0) {
       throw ConfigError(At(path_, entry.first) + "unknown key " + FullName(key) +
                         ", expected one of: " + Joined(known_));

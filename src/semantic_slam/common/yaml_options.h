@@ -22,6 +22,8 @@ class YamlReader {
   // `group` is only for messages: "tracking" makes them say "tracking/max_features".
   YamlReader(const YAML::Node& map, std::string path, std::string group = "");
 
+  const std::string& path() const { return path_; }
+
   bool Has(const std::string& key) const { return static_cast<bool>(map_[key]); }
 
   // Leaves `value` alone if the key is absent. Throws ConfigError if it has another type.
@@ -64,7 +66,7 @@ class YamlReader {
   // The sub-mapping `key`; an empty one if absent. Throws ConfigError if it is not a mapping.
   YamlReader Group(const std::string& key);
 
-  // Throws ConfigError if the mapping has a key that no call asked for.
+  // Throws ConfigError if the mapping has a key that no call asked for, or one twice.
   void Finish() const;
 
  private:

@@ -45,13 +45,10 @@ cv::Mat DecodeImage(const std::uint8_t* data, std::size_t size, int imread_flags
 }
 
 std::vector<std::uint8_t> ReadFileBytes(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) throw InputError("no such file: " + path);
   std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw InputError(std::filesystem::exists(path) ? "cannot open " + path
-                                                   : "missing file " + path);
-  }
+  if (!file) throw InputError("cannot open " + path);
   std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) throw InputError("cannot read " + path);
   return bytes;
 }
 

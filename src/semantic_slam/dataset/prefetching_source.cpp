@@ -8,6 +8,8 @@ namespace semantic_slam {
 PrefetchingSource::PrefetchingSource(std::unique_ptr<RgbdSource> source, std::size_t max_ahead)
     : source_(std::move(source)),
       size_(source_->size()),
+      problems_(source_->problems()),
+      dropped_(source_->dropped()),
       queue_(max_ahead - 1, WhenFull::kBlock),  // one more is in the reader's hand
       thread_([this] { ReadAhead(); }) {
   assert(max_ahead >= 2);

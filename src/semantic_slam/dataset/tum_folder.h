@@ -7,6 +7,7 @@
 #include "semantic_slam/dataset/image_pairer.h"
 #include "semantic_slam/dataset/problem_log.h"
 #include "semantic_slam/dataset/rgbd_source.h"
+#include "semantic_slam/dataset/tum_images.h"
 
 namespace semantic_slam {
 
@@ -28,15 +29,8 @@ class TumFolder : public RgbdSource {
   const std::vector<AccelerometerReading>& accelerometer() const override { return accelerometer_; }
 
  private:
-  struct ImageFile {
-    Stamp stamp;
-    std::string path;
-  };
-
-  std::vector<ImageFile> ReadList(const std::string& name);
   RgbdImage Load(const ImageFile& colour, const ImageFile& depth) const;
 
-  const std::string folder_;
   const CameraConfig camera_;
   std::vector<ImageFile> colour_;
   std::vector<ImageFile> depth_;

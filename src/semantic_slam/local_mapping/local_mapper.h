@@ -14,7 +14,7 @@
 namespace semantic_slam {
 
 struct LocalMapperOptions {
-  double depth_sigma_at_1m_m = 0.01;  // of the depth sensor; grows with depth squared
+  double depth_sigma_at_1m_m = 0.02;  // of the depth sensor; grows with depth squared
   int window_keyframes = 15;          // moved by one bundle adjustment
   int fixed_keyframes = 25;           // that hold it in place
   int robust_iterations = 5;

@@ -15,33 +15,33 @@ constexpr int kMinMatches = 12;
 constexpr int kRansacIterations = 300;
 constexpr float kRansacErrorPx = 5.0f;  // generous: coarse octaves are off by more than a pixel
 
+// The known point that a feature of the frame shows.
 struct MatchedPoint {
-  PointId point;
+  const KnownView::Point* point;
   int feature;
 };
 
-std::vector<MatchedPoint> MatchPoints(const FrameFeatures& frame, const Map& map,
-                                      const Keyframe& keyframe) {
-  std::vector<int> with_point;
-  for (std::size_t i = 0; i < keyframe.points.size(); ++i) {
-    if (keyframe.points[i] != kNoPoint) with_point.push_back(static_cast<int>(i));
+std::vector<MatchedPoint> MatchPoints(const FrameFeatures& frame, const KnownView& view) {
+  std::vector<int> candidates;
+  std::vector<const KnownView::Point*> point_of(view.features->size(), nullptr);
+  for (const KnownView::Point& point : view.points) {
+    candidates.push_back(point.feature);
+    point_of[point.feature] = &point;
   }
   std::vector<MatchedPoint> matched;
   for (const FeatureMatch& match :
-       MatchDescriptors(*keyframe.features, with_point, frame, DescriptorMatchingOptions())) {
-    const PointId point = keyframe.points[match.a];
-    if (map.FindPoint(point) != nullptr) matched.push_back({point, match.b});
+       MatchDescriptors(*view.features, candidates, frame, DescriptorMatchingOptions())) {
+    matched.push_back({point_of[match.a], match.b});
   }
   return matched;
 }
 
 std::optional<Rigid3d> PoseByRansac(const std::vector<MatchedPoint>& matched,
-                                    const FrameFeatures& frame, const Map& map,
-                                    const CameraModel& camera) {
+                                    const FrameFeatures& frame, const CameraModel& camera) {
   std::vector<cv::Point3d> points;
   std::vector<cv::Point2d> pixels;
   for (const MatchedPoint& m : matched) {
-    const Eigen::Vector3d& p = map.FindPoint(m.point)->position;
+    const Eigen::Vector3d& p = m.point->position;
     const Eigen::Vector2f& pixel = frame[m.feature].pixel;
     points.emplace_back(p.x(), p.y(), p.z());
     pixels.emplace_back(pixel.x(), pixel.y());
@@ -69,26 +69,37 @@ std::optional<Rigid3d> PoseByRansac(const std::vector<MatchedPoint>& matched,
 
 }  // namespace
 
-std::optional<Relocalization> RelocalizeByKeyframe(const FrameFeatures& frame, const Map& map,
-                                                   KeyframeId keyframe_id,
-                                                   const CameraModel& camera,
-                                                   const ObservationNoise& noise, int min_inliers) {
-  const std::vector<MatchedPoint> matched = MatchPoints(frame, map, *map.FindKeyframe(keyframe_id));
+KnownView ViewOf(const Keyframe& keyframe, const Map& map) {
+  KnownView view{keyframe.features.get(), {}};
+  for (std::size_t i = 0; i < keyframe.points.size(); ++i) {
+    const MapPoint* point = map.FindPoint(keyframe.points[i]);
+    if (point != nullptr) {
+      view.points.push_back({static_cast<int>(i), point->position, point->id});
+    }
+  }
+  return view;
+}
+
+std::optional<Relocalization> Relocalize(const FrameFeatures& frame, const KnownView& view,
+                                         const std::vector<float>& scales,
+                                         const CameraModel& camera, const ObservationNoise& noise,
+                                         int min_inliers) {
+  const std::vector<MatchedPoint> matched = MatchPoints(frame, view);
   if (static_cast<int>(matched.size()) < std::max(kMinMatches, min_inliers)) return std::nullopt;
-  const auto start = PoseByRansac(matched, frame, map, camera);
+  const auto start = PoseByRansac(matched, frame, camera);
   if (!start) return std::nullopt;
   std::vector<PoseObservation> observations;
   for (const MatchedPoint& m : matched) {
     const Feature& feature = frame[m.feature];
-    observations.push_back({map.FindPoint(m.point)->position, feature.pixel.cast<double>(),
-                            feature.depth_m, map.scales()[feature.octave]});
+    observations.push_back({m.point->position, feature.pixel.cast<double>(), feature.depth_m,
+                            scales[feature.octave]});
   }
   const PoseEstimate estimate = OptimizePose(observations, *start, camera, noise);
   if (estimate.inliers < min_inliers) return std::nullopt;
-  Relocalization result{keyframe_id, estimate.T_map_camera,
-                        std::vector<PointId>(frame.size(), kNoPoint), estimate.inliers};
+  Relocalization result{estimate.T_map_camera, std::vector<PointId>(frame.size(), kNoPoint),
+                        estimate.inliers};
   for (std::size_t i = 0; i < matched.size(); ++i) {
-    if (estimate.is_inlier[i]) result.points[matched[i].feature] = matched[i].point;
+    if (estimate.is_inlier[i]) result.points[matched[i].feature] = matched[i].point->id;
   }
   return result;
 }

@@ -7,20 +7,21 @@
 
 #include "semantic_slam/tracking/pose_optimizer.h"
 #include "semantic_slam/tracking/projection_matcher.h"
-#include "semantic_slam/tracking/relocalizer.h"
 
 namespace semantic_slam {
 namespace {
 
-constexpr int kMinMatchesFromLast = 20;
-constexpr int kMinInliersFromLast = 10;
+// A match to the last image is believed with this much support; else it was made in the wrong place.
+constexpr int kMinInliersFromLast = 20;
+constexpr double kMinInlierShareFromLast = 0.25;
 // After the camera was lost a pose is believed only with more support, for this many images.
 constexpr int kCautiousImages = 30;
 // Local map: search radius on level 0 for a view nearly from the front, and else.
-constexpr float kFrontalRadiusPx = 7.5f;
-constexpr float kObliqueRadiusPx = 12.0f;
+constexpr float kFrontalRadiusPx = 5.0f;
+constexpr float kObliqueRadiusPx = 8.0f;
 constexpr double kFrontalCosine = 0.998;
 constexpr double kMaxLocalRatio = 0.8;
+constexpr int kMaxLocalDistance = 60;
 constexpr int kNeighboursPerLocalKeyframe = 10;
 // "Few near points": fewer than this are tracked while more than that could be had.
 constexpr int kFewTrackedNearPoints = 100;
@@ -54,6 +55,7 @@ void Tracker::Reset() {
   motion_.Reset();
   T_odom_camera_ = T_map_start_;
   images_since_keyframe_ = 0;
+  most_inliers_since_keyframe_ = 0;
 }
 
 TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool keyframe_allowed) {
@@ -70,10 +72,7 @@ TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool
   bool found = false;
   if (status_ == TrackingStatus::kTracking) {
     last_.T_map_camera = map_.KeyframePose(last_.reference) * last_.T_reference_camera;
-    const Rigid3d T_map_predicted =
-        last_.T_map_camera * motion_.Predict(last_.features->stamp(), frame.features->stamp());
-    found = TrackFromLast(frame, T_map_predicted, options_.search_radius_px) ||
-            TrackFromLast(frame, T_map_predicted, 2.0 * options_.search_radius_px);
+    found = TrackFromLast(frame);
   }
   found = found && TrackLocalMap(frame, images_since_relocalization_ < kCautiousImages
                                             ? options_.min_relocalization_inliers
@@ -100,27 +99,56 @@ bool Tracker::Initialise(Frame& frame) {
   return true;
 }
 
-// Matches the features of the last image that have a map point or at least depth.
-bool Tracker::TrackFromLast(Frame& frame, const Rigid3d& T_map_predicted, double radius_px) const {
-  const Rigid3d T_camera_map = T_map_predicted.inverse();
-  std::vector<ProjectionCandidate> candidates;
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<PointId> ids;
+// The features of the last image that show a map point or have at least depth of their own.
+KnownView Tracker::LastView() const {
+  KnownView view{last_.features.get(), {}};
   for (std::size_t i = 0; i < last_.features->size(); ++i) {
     const Feature& feature = (*last_.features)[i];
     const PointId id = map_.Resolve(last_.points[i]);
-    if (id == kNoPoint && !feature.has_depth()) continue;
-    const Eigen::Vector3d p_map = id != kNoPoint ? map_.FindPoint(id)->position
-                                                 : last_.T_map_camera * Unproject(feature, *camera_);
-    const Eigen::Vector3d p_camera = T_camera_map * p_map;
+    if (id != kNoPoint) {
+      view.points.push_back({static_cast<int>(i), map_.FindPoint(id)->position, id});
+    } else if (feature.has_depth()) {
+      view.points.push_back(
+          {static_cast<int>(i), last_.T_map_camera * Unproject(feature, *camera_), kNoPoint});
+    }
+  }
+  return view;
+}
+
+// The pose from what the last image knew: where the prediction expects it, in a wider circle, and at
+// last wherever it may be. Leaves the map points found in `frame`.
+bool Tracker::TrackFromLast(Frame& frame) const {
+  const KnownView view = LastView();
+  const Rigid3d T_map_predicted =
+      last_.T_map_camera * motion_.Predict(last_.features->stamp(), frame.features->stamp());
+  frame.reference = last_.reference;
+  if (MatchNear(view, T_map_predicted, options_.search_radius_px, frame) ||
+      MatchNear(view, T_map_predicted, 2.0 * options_.search_radius_px, frame)) {
+    return true;
+  }
+  auto found = Relocalize(*frame.features, view, map_.scales(), *camera_, noise_,
+                          options_.min_inliers);
+  if (!found) return false;
+  frame.T_map_camera = found->T_map_camera;
+  frame.points = std::move(found->points);
+  return true;
+}
+
+bool Tracker::MatchNear(const KnownView& view, const Rigid3d& T_map_predicted, double radius_px,
+                        Frame& frame) const {
+  const Rigid3d T_camera_map = T_map_predicted.inverse();
+  std::vector<ProjectionCandidate> candidates;
+  std::vector<const KnownView::Point*> points;
+  for (const KnownView::Point& point : view.points) {
+    const Eigen::Vector3d p_camera = T_camera_map * point.position;
     if (!(p_camera.z() > 0.0)) continue;
     const Eigen::Vector2f pixel = camera_->Project(p_camera).cast<float>();
     if (!camera_->undistorted_bounds().contains(cv::Point2f(pixel.x(), pixel.y()))) continue;
+    const Feature& feature = (*view.features)[point.feature];
     candidates.push_back({pixel, static_cast<float>(radius_px) * map_.scales()[feature.octave],
                           feature.octave - 1, feature.octave + 1, feature.angle_rad,
-                          &last_.features->descriptor(i)});
-    positions.push_back(p_map);
-    ids.push_back(id);
+                          &view.features->descriptor(point.feature)});
+    points.push_back(&point);
   }
   ProjectionMatchingOptions matching;
   matching.check_rotation = true;
@@ -131,18 +159,20 @@ bool Tracker::TrackFromLast(Frame& frame, const Rigid3d& T_map_predicted, double
   std::vector<std::pair<int, PointId>> matched;  // feature, point
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (matches[i] < 0) continue;
-    observations.push_back(Observe(positions[i], (*frame.features)[matches[i]], map_.scales()));
-    matched.emplace_back(matches[i], ids[i]);
+    observations.push_back(
+        Observe(points[i]->position, (*frame.features)[matches[i]], map_.scales()));
+    matched.emplace_back(matches[i], points[i]->id);
   }
-  if (static_cast<int>(matched.size()) < kMinMatchesFromLast) return false;
   const PoseEstimate estimate = OptimizePose(observations, T_map_predicted, *camera_, noise_);
-  if (estimate.inliers < kMinInliersFromLast) return false;
+  if (estimate.inliers < kMinInliersFromLast ||
+      estimate.inliers < kMinInlierShareFromLast * static_cast<double>(matched.size())) {
+    return false;
+  }
   frame.T_map_camera = estimate.T_map_camera;
   std::fill(frame.points.begin(), frame.points.end(), kNoPoint);
   for (std::size_t i = 0; i < matched.size(); ++i) {
     if (estimate.is_inlier[i]) frame.points[matched[i].first] = matched[i].second;
   }
-  frame.reference = last_.reference;
   return true;
 }
 
@@ -163,8 +193,8 @@ std::vector<KeyframeId> Tracker::RelocalizationCandidates() {
 
 bool Tracker::Relocalise(Frame& frame) {
   for (const KeyframeId candidate : RelocalizationCandidates()) {
-    auto found = RelocalizeByKeyframe(*frame.features, map_, candidate, *camera_, noise_,
-                                      options_.min_inliers);
+    auto found = Relocalize(*frame.features, ViewOf(*map_.FindKeyframe(candidate), map_),
+                            map_.scales(), *camera_, noise_, options_.min_inliers);
     if (!found) continue;
     frame.T_map_camera = found->T_map_camera;
     frame.points = std::move(found->points);
@@ -245,6 +275,7 @@ void Tracker::MatchLocalPoints(Frame& frame, const std::vector<PointId>& local_p
   }
   ProjectionMatchingOptions matching;
   matching.max_ratio = kMaxLocalRatio;
+  matching.max_distance = kMaxLocalDistance;
   const std::vector<int> matches =
       MatchByProjection(candidates, *frame.features, Taken(frame.points), matching);
   for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -275,7 +306,8 @@ void Tracker::OptimiseFrame(Frame& frame) {
 
 // After Mur-Artal and Tardos, ORB-SLAM2, section III.E: often rather than seldom, because local
 // mapping takes out what turns out to be redundant.
-bool Tracker::WantsKeyframe(const Frame& frame) const {
+bool Tracker::WantsKeyframe(const Frame& frame) {
+  most_inliers_since_keyframe_ = std::max(most_inliers_since_keyframe_, frame.inliers);
   if (images_since_keyframe_ >= options_.max_keyframe_gap) return true;
   int tracked_near = 0, new_near = 0;
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
@@ -284,9 +316,7 @@ bool Tracker::WantsKeyframe(const Frame& frame) const {
     ++(frame.points[i] != kNoPoint ? tracked_near : new_near);
   }
   if (tracked_near < kFewTrackedNearPoints && new_near > kManyNewNearPoints) return true;
-  const int min_observations = map_.keyframes().size() <= 2 ? 2 : 3;
-  const int reference_points = map_.CountPoints(frame.reference, min_observations);
-  return frame.inliers < options_.min_tracked_ratio * reference_points;
+  return frame.inliers < options_.min_tracked_ratio * most_inliers_since_keyframe_;
 }
 
 KeyframeId Tracker::InsertKeyframe(Frame& frame) {
@@ -313,6 +343,7 @@ KeyframeId Tracker::InsertKeyframe(Frame& frame) {
   map_.BumpRevision(RevisionReason::kLocalBa);
   frame.reference = keyframe.id;
   images_since_keyframe_ = 0;
+  most_inliers_since_keyframe_ = 0;
   return keyframe.id;
 }
 

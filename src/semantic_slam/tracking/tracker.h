@@ -11,11 +11,12 @@
 #include "semantic_slam/map/map.h"
 #include "semantic_slam/map/observation_noise.h"
 #include "semantic_slam/tracking/motion_model.h"
+#include "semantic_slam/tracking/relocalizer.h"
 
 namespace semantic_slam {
 
 struct TrackerOptions {
-  double depth_sigma_at_1m_m = 0.01;  // of the depth sensor; grows with depth squared
+  double depth_sigma_at_1m_m = 0.02;  // of the depth sensor; grows with depth squared
   double max_point_depth_m = 4.0;  // features farther away become map points only where few are near
   int min_initial_points = 100;    // features with depth that a new map needs
   int min_inliers = 15;            // fewer, and the camera counts as lost
@@ -24,8 +25,8 @@ struct TrackerOptions {
   double search_radius_px = 15.0;     // about the predicted pixel; doubled at the second try
   int max_local_keyframes = 60;       // whose points are looked for in each image
   int max_keyframe_gap = 30;          // images after which a keyframe is wanted anyhow
-  double min_tracked_ratio = 0.75;  // a keyframe is wanted when the image shows less than this share
-                                    // of its reference keyframe's points
+  double min_tracked_ratio = 0.6;  // a keyframe is wanted when an image shows less than this share of
+                                   // the map points that were seen right after the last keyframe
   int min_new_points = 100;  // nearest features per keyframe that become points whatever their depth
 
   template <typename Self, typename Visitor>
@@ -85,14 +86,17 @@ class Tracker {
   };
 
   bool Initialise(Frame& frame);
-  bool TrackFromLast(Frame& frame, const Rigid3d& T_map_predicted, double radius_px) const;
+  KnownView LastView() const;
+  bool TrackFromLast(Frame& frame) const;
+  bool MatchNear(const KnownView& view, const Rigid3d& T_map_predicted, double radius_px,
+                 Frame& frame) const;
   bool Relocalise(Frame& frame);
   std::vector<KeyframeId> RelocalizationCandidates();
   bool TrackLocalMap(Frame& frame, int min_inliers);
   std::vector<PointId> CollectLocalPoints(Frame& frame) const;
   void MatchLocalPoints(Frame& frame, const std::vector<PointId>& local_points);
   void OptimiseFrame(Frame& frame);
-  bool WantsKeyframe(const Frame& frame) const;
+  bool WantsKeyframe(const Frame& frame);
   KeyframeId InsertKeyframe(Frame& frame);
   TrackerResult Finish(Frame& frame, TrackingStatus status, std::optional<KeyframeId> new_keyframe);
 
@@ -107,6 +111,7 @@ class Tracker {
   MotionModel motion_;
   Rigid3d T_odom_camera_ = Rigid3d::Identity();
   int images_since_keyframe_ = 0;
+  int most_inliers_since_keyframe_ = 0;
   int images_since_relocalization_ = 0;
   std::size_t next_old_keyframe_ = 0;  // whose turn it is among the older ones
 };
