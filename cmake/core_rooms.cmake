@@ -34,7 +34,7 @@ endfunction()
 # Seeded fixtures that tests and the demo share: test/testing.
 function(semantic_slam_testing_library)
   file(GLOB sources CONFIGURE_DEPENDS test/testing/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_main\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_(main|test)\\.cpp$")
   if(NOT sources)
     return()
   endif()

@@ -96,6 +96,7 @@ function(semantic_slam_install)
   install(DIRECTORY src/semantic_slam_ros/
     DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION}/semantic_slam_ros
     FILES_MATCHING PATTERN "*.h")
+  install(PROGRAMS scripts/start_realsense DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   install(DIRECTORY launch config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
   install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endfunction()
@@ -128,9 +129,9 @@ function(semantic_slam_ros_tests)
     endif()
     semantic_slam_compile_options(${target})
   endforeach()
-  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/launch)
-    roslaunch_add_file_check(launch)
-  endif()
+  # The same test of a node, started in another way.
+  add_rostest(test/ros/tracking_nodelet.test DEPENDENCIES tracking_node_test)
+  roslaunch_add_file_check(launch)
 endfunction()
 
 function(semantic_slam_ros_targets)

@@ -228,9 +228,19 @@ cv::Mat ToDepthMetres(const sensor_msgs::CompressedImage& msg) {
   }
   const cv::Mat image = decode_after(sizeof(CompressedDepthHeader));
   if (msg.format.compare(0, 5, "32FC1") != 0) return MetresFromMillimetres(image);
-  CompressedDepthHeader header;
+  CompressedDepthHeader header{};
   std::memcpy(&header, msg.data.data(), sizeof(header));
   return MetresFromInverseDepth(image, header);
+}
+
+ColourImage ToColour(const ImageMessage& msg) {
+  if (const auto* raw = std::get_if<sensor_msgs::ImageConstPtr>(&msg)) return ToColour(*raw);
+  return ToColour(*std::get<sensor_msgs::CompressedImageConstPtr>(msg));
+}
+
+cv::Mat ToDepthMetres(const ImageMessage& msg) {
+  if (const auto* raw = std::get_if<sensor_msgs::ImageConstPtr>(&msg)) return ToDepthMetres(*raw);
+  return ToDepthMetres(*std::get<sensor_msgs::CompressedImageConstPtr>(msg));
 }
 
 CameraIntrinsics ToIntrinsics(const sensor_msgs::CameraInfo& msg) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <variant>
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
@@ -54,6 +55,11 @@ cv::Mat ToDepthMetres(const sensor_msgs::ImageConstPtr& msg);
 // The same from a 16-bit PNG, or from what compressed_depth_image_transport sends for 16UC1 and
 // 32FC1 images ("...; compressedDepth", PNG inside).
 cv::Mat ToDepthMetres(const sensor_msgs::CompressedImage& msg);
+
+// An image as it came, not looked into yet.
+using ImageMessage = std::variant<sensor_msgs::ImageConstPtr, sensor_msgs::CompressedImageConstPtr>;
+ColourImage ToColour(const ImageMessage& msg);
+cv::Mat ToDepthMetres(const ImageMessage& msg);
 
 // K and D, as the images are raw. Refuses a calibration of zeros, a distortion model that is not
 // plumb_bob or rational_polynomial, binning and a region of interest.

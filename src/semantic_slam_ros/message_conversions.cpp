@@ -11,7 +11,7 @@ namespace semantic_slam_ros {
 
 using semantic_slam::RevisionReason;
 using semantic_slam::TrackingStatus;
-using KeyframeMsg = semantic_slam::Keyframe_<std::allocator<void>>;
+using KeyframeMsg = semantic_slam::KeyframePose;
 using KeyframeArrayMsg = semantic_slam::KeyframeArray;
 using TrackingStateMsg = semantic_slam::TrackingState;
 

@@ -33,7 +33,7 @@ class ParamReader {
     const std::string prefix = group.empty() ? "" : group + "/";
     Options::Visit(options, OptionReader{*this, prefix});
     try {
-      Validate(options);
+      semantic_slam::Validate(options);
     } catch (const semantic_slam::ConfigError& e) {
       throw semantic_slam::ConfigError(FullName(prefix) + e.what());
     }

@@ -7,7 +7,6 @@
 
 #include "semantic_slam/camera/camera_config.h"
 #include "semantic_slam/common/error.h"
-#include "semantic_slam_ros/conversions.h"
 #include "semantic_slam_ros/topics.h"
 
 namespace semantic_slam_ros {
@@ -21,20 +20,6 @@ namespace {
 
 constexpr int kQueueSize = 10;  // per topic, for bursts; the callbacks take no time
 
-struct ColourDecoder {
-  ColourImage operator()(const sensor_msgs::ImageConstPtr& msg) const { return ToColour(msg); }
-  ColourImage operator()(const sensor_msgs::CompressedImageConstPtr& msg) const {
-    return ToColour(*msg);
-  }
-};
-
-struct DepthDecoder {
-  cv::Mat operator()(const sensor_msgs::ImageConstPtr& msg) const { return ToDepthMetres(msg); }
-  cv::Mat operator()(const sensor_msgs::CompressedImageConstPtr& msg) const {
-    return ToDepthMetres(*msg);
-  }
-};
-
 // Whether the images come compressed. Throws ConfigError if `transport` is neither.
 bool IsCompressed(const char* parameter, const std::string& transport, const char* compressed) {
   if (transport == compressed) return true;
@@ -46,9 +31,9 @@ bool IsCompressed(const char* parameter, const std::string& transport, const cha
 }  // namespace
 
 RgbdImage RgbdMessages::Decode() const {
-  ColourImage colour_image = std::visit(ColourDecoder(), colour);
+  ColourImage colour_image = ToColour(colour);
   RgbdImage image{stamp, depth_stamp, std::move(colour_image.pixels), colour_image.order,
-                  std::visit(DepthDecoder(), depth)};
+                  ToDepthMetres(depth)};
   CheckRgbdImage(image);
   return image;
 }
@@ -76,7 +61,6 @@ RgbdInput::RgbdInput(ros::NodeHandle nh, const RgbdInputOptions& options,
     info_sub_ = nh.subscribe(topics::kCameraInfo, kQueueSize, &RgbdInput::OnCameraInfo, this);
   } else {
     const auto config = semantic_slam::LoadCameraConfig(options.camera_config);
-    semantic_slam::CheckIntrinsics(config.intrinsics);
     intrinsics_ = std::make_shared<const CameraIntrinsics>(config.intrinsics);
     ROS_INFO("calibration from %s", options.camera_config.c_str());
   }

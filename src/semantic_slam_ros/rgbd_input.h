@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <variant>
 
 #include <ros/node_handle.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -14,13 +13,10 @@
 #include "semantic_slam/camera/camera_model.h"
 #include "semantic_slam/camera/rgbd_image.h"
 #include "semantic_slam/dataset/image_pairer.h"
+#include "semantic_slam_ros/conversions.h"
 #include "semantic_slam_ros/drop_counter.h"
 
 namespace semantic_slam_ros {
-
-// An image as it came, not looked into yet.
-using ImageMessage =
-    std::variant<sensor_msgs::ImageConstPtr, sensor_msgs::CompressedImageConstPtr>;
 
 // A colour image with the depth image of the same moment, still as messages: passing it on costs
 // nothing, decoding it is left to the thread that wants the pixels.

@@ -29,7 +29,7 @@ struct Arguments {
   AssociationOptions association;
   std::optional<double> rpe_seconds;
   std::optional<double> rpe_metres;
-  std::string plot;
+  std::optional<std::string> plot;
   bool json = false;
 };
 
@@ -72,14 +72,14 @@ int EvaluateTrajectory(CommandLine& command_line) {
   const std::optional<Arguments> arguments = ParseArguments(command_line);
   if (!arguments) return EXIT_SUCCESS;
   const RelativeInterval interval = Interval(*arguments);
-  if (!arguments->plot.empty()) CheckPlotPath(arguments->plot);
+  if (arguments->plot) CheckPlotPath(*arguments->plot);
 
   const Trajectory reference = ReadTumTrajectory(arguments->reference);
   const Trajectory estimate = ReadTumTrajectory(arguments->estimate);
   const TrajectoryReport report =
       CompareTrajectories(reference, estimate, arguments->association, interval);
-  if (!arguments->plot.empty()) {
-    WritePlot(PlotComparison(reference, estimate, report), arguments->plot);
+  if (arguments->plot) {
+    WritePlot(PlotComparison(reference, estimate, report), *arguments->plot);
   }
   if (arguments->json) {
     std::cout << ToJson(report).dump(2) << "\n";

@@ -84,7 +84,8 @@ TEST_F(YamlOptionsTest, NamesTheOptionThatIsOutOfRange) {
 }
 
 TEST_F(YamlOptionsTest, RefusesAKeyGivenTwice) {
-  ExpectOneLineWith(ErrorOf("demo:\n  stride_px: 1\n  stride_px: 2\n"), {"demo.yaml:3: key demo/stride_px appears twice"});
+  ExpectOneLineWith(ErrorOf("demo:\n  stride_px: 1\n  stride_px: 2\n"),
+                    {"demo.yaml:3: key demo/stride_px appears twice"});
 }
 
 TEST_F(YamlOptionsTest, RefusesWhatIsNotYamlOrNotAMapping) {

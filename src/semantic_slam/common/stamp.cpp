@@ -3,12 +3,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace semantic_slam {
 namespace {
 
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-constexpr std::size_t kMaxSecondDigits = 10;  // up to the year 2286; the sum fits 64 bits
+constexpr std::size_t kMaxSecondDigits = 10;
 constexpr std::size_t kMaxDecimals = 9;
 
 std::optional<std::int64_t> ParseDigits(std::string_view digits) {
@@ -36,6 +37,8 @@ std::optional<Stamp> Stamp::Parse(std::string_view text) {
   const auto seconds = ParseDigits(whole);
   const auto nanoseconds = ParseDigits(decimals);
   if (!seconds || !nanoseconds) return std::nullopt;
+  constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
+  if (*seconds > (kLargest - *nanoseconds) / kNsPerSecond) return std::nullopt;
   return Stamp{*seconds * kNsPerSecond + *nanoseconds};
 }
 

@@ -1,7 +1,7 @@
 #include "semantic_slam/common/yaml_options.h"
 
+#include <filesystem>
 #include <fstream>
-#include <ios>
 #include <utility>
 
 namespace semantic_slam {
@@ -21,14 +21,13 @@ std::string Joined(const std::set<std::string>& names) {
 
 YAML::Node LoadYamlMap(const std::string& path) {
   std::ifstream file(path);
-  if (!file) throw ConfigError("cannot open configuration file " + path);
+  if (!file || std::filesystem::is_directory(path))
+    throw ConfigError("cannot open configuration file " + path);
   YAML::Node node;
   try {
     node = YAML::Load(file);
   } catch (const YAML::Exception& e) {
     throw ConfigError(path + ":" + std::to_string(e.mark.line + 1) + ": not valid YAML: " + e.msg);
-  } catch (const std::ios_base::failure&) {  // it is a folder, or the disk fails
-    throw ConfigError("cannot read configuration file " + path);
   }
   if (!node.IsMap()) throw ConfigError(path + ": expected a mapping of key: value");
   return node;

@@ -14,6 +14,7 @@ namespace {
 
 std::vector<Stamp> Stamps(const std::vector<ImageFile>& files) {
   std::vector<Stamp> stamps;
+  stamps.reserve(files.size());
   for (const ImageFile& file : files) stamps.push_back(file.stamp);
   return stamps;
 }

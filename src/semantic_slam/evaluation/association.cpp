@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <tuple>
 
 #include "semantic_slam/common/options.h"
@@ -48,7 +50,13 @@ std::vector<Candidate> SortedCandidates(const std::vector<double>& reference_s,
 }  // namespace
 
 double RoundedSeconds(Stamp stamp) {
-  return static_cast<double>(static_cast<long double>(stamp.ns) / 1e9L);
+  constexpr std::int64_t kExact = std::int64_t{1} << 53;  // a double holds integers up to here
+  if (std::abs(stamp.ns) <= kExact) return static_cast<double>(stamp.ns) / 1e9;
+  // The quotient below is rounded too, by 2^-54 at most. That cannot tip the sum: a multiple of
+  // 1e-9 lies in the middle of two doubles of this size or, as 5^9 < 2^21, 2^-51 or more beside it.
+  constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+  return static_cast<double>(stamp.ns / kNsPerSecond) +
+         static_cast<double>(stamp.ns % kNsPerSecond) / 1e9;
 }
 
 std::vector<MatchedPose> AssociateTrajectories(const Trajectory& reference,

@@ -19,6 +19,8 @@ namespace {
 constexpr std::array<const char*, 8> kFields = {"stamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 constexpr char kFormat[] = "stamp tx ty tz qx qy qz qw";
 constexpr double kMinQuaternionNorm = 1e-6;  // shorter says nothing about a direction
+constexpr double kMaxNumber = 1e9;           // nobody means more; squares must not overflow
+constexpr std::size_t kMaxQuoted = 60;       // enough of a bad value to recognise it
 
 // Where we are, for messages: "path:line: ".
 struct FilePosition {
@@ -29,6 +31,10 @@ struct FilePosition {
     throw InputError(path + ":" + std::to_string(line) + ": " + what);
   }
 };
+
+std::string Quoted(const std::string& text) {
+  return text.size() > kMaxQuoted ? text.substr(0, kMaxQuoted) + "..." : text;
+}
 
 // A finite number; nullopt for anything else. A decimal point is '.' whatever the locale.
 std::optional<double> ParseNumber(const std::string& text) {
@@ -66,11 +72,14 @@ StampedPose ParsePose(const std::vector<std::string>& fields, const FilePosition
                    " values, expected 8: " + std::string(kFormat));
   }
   const auto stamp = ParseStamp(fields[0]);
-  if (!stamp) position.Throw("stamp = " + fields[0] + ", expected seconds");
+  if (!stamp) position.Throw("stamp = " + Quoted(fields[0]) + ", expected seconds");
   std::array<double, kFields.size()> values{};
   for (std::size_t i = 1; i < kFields.size(); ++i) {
     const auto value = ParseNumber(fields[i]);
-    if (!value) position.Throw(kFields[i] + (" = " + fields[i]) + ", expected a finite number");
+    if (!value || std::abs(*value) > kMaxNumber) {
+      position.Throw(kFields[i] + (" = " + Quoted(fields[i])) +
+                     ", expected a number in [-1e9, 1e9]");
+    }
     values[i] = *value;
   }
   const Eigen::Quaterniond q(values[7], values[4], values[5], values[6]);
@@ -83,7 +92,7 @@ void WritePose(const StampedPose& stamped, std::ostream& out) {
   Eigen::Quaterniond q(stamped.pose.linear());
   q.normalize();
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  std::array<char, 256> text{};
+  std::array<char, 1100> text{};  // room for three of the largest doubles
   std::snprintf(text.data(), text.size(), " %.9f %.9f %.9f %.9f %.9f %.9f %.9f\n", t.x(), t.y(),
                 t.z(), q.x(), q.y(), q.z(), q.w());
   out << ToString(stamped.stamp) << text.data();

@@ -52,8 +52,8 @@ class OrbExtractor {
   // Throws ConfigError if an option is out of range.
   explicit OrbExtractor(const OrbExtractorOptions& options);
 
-  // At most max_features keypoints of `grey` (CV_8UC1), by ascending octave. Fewer where the image
-  // has no texture; empty if it is too small for one patch.
+  // About max_features keypoints of `grey` (CV_8UC1), at most two more per pyramid level, by
+  // ascending octave. Fewer where the image has no texture; empty if it is too small for one patch.
   Keypoints Extract(const cv::Mat& grey) const;
 
   const std::vector<float>& scales() const { return scales_; }

@@ -29,17 +29,21 @@ class VisualLocalization::Implementation {
       : camera_(std::move(camera)),
         extractor_(options.features),
         map_(extractor_.scales()),
-        tracker_(options.tracking, camera_, map_),
-        mapper_(options.local_mapping, camera_, map_) {
+        mapper_(options.local_mapping, camera_, map_),
+        tracker_(options.tracking, camera_, map_) {
     if (mode == MappingMode::kThreaded) {
       worker_ = std::make_unique<Worker<KeyframeId>>(
           kMaxPendingKeyframes, WhenFull::kBlock, [this](KeyframeId id) { MapKeyframe(id); });
     }
   }
 
-  void SetStart(const Rigid3d& T_map_camera) { tracker_.SetStart(T_map_camera); }
+  void SetStart(const Rigid3d& T_map_camera) {
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
+    tracker_.SetStart(T_map_camera);
+  }
 
   TrackedImage Track(const RgbdImage& image) {
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
     StageTimer::Scope whole(timer_, "tracking");
     if (last_stamp_ && image.stamp <= *last_stamp_) {
       throw InputError("image at " + ToString(image.stamp) + " s is not later than the one before at " +
@@ -63,6 +67,7 @@ class VisualLocalization::Implementation {
   }
 
   void Reset() {
+    std::lock_guard<std::mutex> tracking_lock(tracking_mutex_);
     Finish();
     {
       std::lock_guard<std::mutex> lock(map_.mutex());
@@ -145,10 +150,12 @@ class VisualLocalization::Implementation {
   const OrbExtractor extractor_;
   StageTimer timer_;
   Map map_;
-  Tracker tracker_;
   LocalMapper mapper_;
-  std::optional<Stamp> last_stamp_;
   std::atomic<std::size_t> rejected_keyframes_{0};
+
+  std::mutex tracking_mutex_;        // taken before all others
+  Tracker tracker_;                  // guarded by tracking_mutex_
+  std::optional<Stamp> last_stamp_;  // guarded by tracking_mutex_
 
   mutable std::mutex pending_mutex_;
   std::condition_variable idle_;

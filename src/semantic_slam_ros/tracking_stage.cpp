@@ -1,0 +1,93 @@
+#include "semantic_slam_ros/tracking_stage.h"
+
+#include <utility>
+
+#include <ros/console.h>
+
+#include "semantic_slam/common/error.h"
+
+namespace semantic_slam_ros {
+
+using semantic_slam::CameraModel;
+using semantic_slam::InputError;
+using semantic_slam::RgbdImage;
+using semantic_slam::VisualLocalization;
+
+TrackingStage::TrackingStage(const ros::NodeHandle& nh,
+                             const semantic_slam::LocalizationOptions& options,
+                             std::string base_frame, DropCounter& drops)
+    : options_(options),
+      base_frame_(std::move(base_frame)),
+      drops_(drops),
+      transforms_(nh),
+      start_pose_(nh, drops) {}
+
+std::optional<TrackedFrame> TrackingStage::Process(const RgbdMessages& messages) try {
+  RgbdImage image = messages.Decode();
+  const auto T_base_camera = transforms_.Find(base_frame_, messages.frame_id);
+  if (!T_base_camera) {
+    drops_.AddQuietly("no_transform");
+    return std::nullopt;
+  }
+  FollowCalibration(messages);
+  FollowTimeline(messages.timeline);
+  if (!started_ && !Start(messages, *T_base_camera)) {
+    drops_.AddQuietly("waiting_for_imu");
+    return std::nullopt;
+  }
+  const semantic_slam::TrackedImage tracked = localization_->Track(image);
+  return TrackedFrame{std::move(image), tracked, messages.frame_id, *T_base_camera};
+} catch (const InputError& e) {
+  drops_.Add("bad_image", e.what());
+  return std::nullopt;
+}
+
+std::shared_ptr<VisualLocalization> TrackingStage::localization() const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return localization_;
+}
+
+std::string TrackingStage::start_source() const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return start_source_;
+}
+
+void TrackingStage::FollowCalibration(const RgbdMessages& messages) {
+  if (messages.intrinsics == intrinsics_) return;
+  if (intrinsics_ != nullptr) ROS_WARN("the calibration changed: the map is forgotten");
+  intrinsics_ = messages.intrinsics;
+  ROS_INFO("camera %s: %d x %d px, fx %.2f fy %.2f cx %.2f cy %.2f, %zu distortion coefficients",
+           messages.frame_id.c_str(), intrinsics_->width_px, intrinsics_->height_px,
+           intrinsics_->fx_px, intrinsics_->fy_px, intrinsics_->cx_px, intrinsics_->cy_px,
+           intrinsics_->distortion.size());
+  auto localization = std::make_shared<VisualLocalization>(
+      options_, std::make_shared<const CameraModel>(*intrinsics_),
+      semantic_slam::MappingMode::kThreaded);
+  timeline_ = messages.timeline;
+  started_ = false;
+  start_pose_.Restart();
+  std::lock_guard<std::mutex> lock(mutex_);
+  localization_ = std::move(localization);
+}
+
+void TrackingStage::FollowTimeline(int timeline) {
+  if (timeline == timeline_) return;
+  timeline_ = timeline;
+  localization_->Reset();
+  started_ = false;
+  start_pose_.Restart();
+}
+
+bool TrackingStage::Start(const RgbdMessages& messages, const Rigid3d& T_base_camera) {
+  const auto start =
+      start_pose_.Find(messages.stamp, messages.frame_id, T_base_camera, transforms_);
+  if (!start) return false;
+  localization_->SetStart(start->T_map_camera);
+  ROS_INFO("a map begins at %s s: %s", ToString(messages.stamp).c_str(), start->source.c_str());
+  started_ = true;
+  std::lock_guard<std::mutex> lock(mutex_);
+  start_source_ = start->source;
+  return true;
+}
+
+}  // namespace semantic_slam_ros

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include <ros/node_handle.h>
+
+#include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/camera/rgbd_image.h"
+#include "semantic_slam/localization/visual_localization.h"
+#include "semantic_slam_ros/drop_counter.h"
+#include "semantic_slam_ros/rgbd_input.h"
+#include "semantic_slam_ros/start_pose.h"
+#include "semantic_slam_ros/static_transforms.h"
+
+namespace semantic_slam_ros {
+
+// One image with what tracking made of it, and where its camera sits on the robot.
+struct TrackedFrame {
+  semantic_slam::RgbdImage image;
+  semantic_slam::TrackedImage tracked;
+  std::string camera_frame;
+  semantic_slam::Rigid3d T_base_camera;
+};
+
+// VisualLocalization, and what it takes to keep it going on a live stream: it is made when the
+// calibration is known and again when that changes, starts with z up, and forgets the map when the
+// images begin a new timeline. Counts what it cannot use under bad_image, no_transform and
+// waiting_for_imu.
+class TrackingStage {
+ public:
+  // Throws ConfigError if an option is out of range. `drops` must outlive this.
+  TrackingStage(const ros::NodeHandle& nh, const semantic_slam::LocalizationOptions& options,
+                std::string base_frame, DropCounter& drops);
+
+  // nullopt if the images could not be used; they are counted then. For one thread.
+  std::optional<TrackedFrame> Process(const RgbdMessages& messages);
+
+  // nullptr before the first image. From any thread.
+  std::shared_ptr<semantic_slam::VisualLocalization> localization() const;
+
+  // What told which way is up when the current map began; empty before. From any thread.
+  std::string start_source() const;
+
+ private:
+  void FollowCalibration(const RgbdMessages& messages);
+  void FollowTimeline(int timeline);
+  bool Start(const RgbdMessages& messages, const semantic_slam::Rigid3d& T_base_camera);
+
+  const semantic_slam::LocalizationOptions options_;
+  const std::string base_frame_;
+  DropCounter& drops_;
+  StaticTransforms transforms_;
+  StartPose start_pose_;
+  std::shared_ptr<const semantic_slam::CameraIntrinsics> intrinsics_;
+  int timeline_ = 0;
+  bool started_ = false;
+  mutable std::mutex mutex_;
+  std::shared_ptr<semantic_slam::VisualLocalization> localization_;  // pointer guarded by mutex_
+  std::string start_source_;                                         // guarded by mutex_
+};
+
+}  // namespace semantic_slam_ros

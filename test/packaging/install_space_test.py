@@ -1,0 +1,39 @@
+"""The installed package works on its own: programs, launch files, messages."""
+
+import shlex
+import subprocess
+
+import pytest
+
+
+@pytest.fixture(name="installed", scope="module")
+def fixture_installed(build_folder, tmp_path_factory):
+    """Runs a shell command in the environment of an install space."""
+    prefix = tmp_path_factory.mktemp("install") / "prefix"
+    subprocess.run(["cmake", "--install", build_folder, "--prefix", prefix], check=True, capture_output=True)
+
+    def run(command):
+        script = f"source {shlex.quote(str(prefix))}/setup.bash && {command}"
+        # A bare environment, so that nothing of the build comes along.
+        return subprocess.run(["env", "-i", "PATH=/usr/bin:/bin", f"HOME={prefix.parent}", "bash", "-c", script],
+                              capture_output=True, text=True, timeout=60, check=False)
+
+    return run
+
+
+def test_programs_run(installed):
+    result = installed("rosrun semantic_slam replay --help")
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.startswith("usage: replay ")
+
+
+@pytest.mark.parametrize("launch", ["semantic_slam.launch", "tum_replay.launch bag:=/a.bag", "d455.launch"])
+def test_launch_files_find_what_they_include_and_start(installed, launch):
+    result = installed(f"roslaunch --nodes semantic_slam {launch}")
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert "tracking" in result.stdout
+
+
+def test_messages_can_be_imported(installed):
+    result = installed("python3 -c 'import semantic_slam.msg, semantic_slam.srv'")
+    assert result.returncode == 0, result.stderr

@@ -1,0 +1,85 @@
+"""Every program: --help, and one clear line and exit code 1 for what it cannot do."""
+
+import pathlib
+import subprocess
+
+import pytest
+
+TOOLS = pathlib.Path(__file__).resolve().parents[2] / "src/tools"
+PROGRAMS = sorted(path.stem for path in TOOLS.glob("*.cpp") if not path.with_suffix(".h").exists())
+PROGRAMS.append("render_textured_room")
+
+# What is given, and words that the one line must contain. {tmp} is a folder with the files below.
+REFUSED = [
+    ("replay", "", "--dataset"),
+    ("replay", "--dataset {room} --config {config}", "--out"),
+    ("replay", "--dataset {tmp}/missing --config {config} --out {tmp}/out", "no such file {tmp}/missing"),
+    ("replay", "--dataset {tmp}/text.bag --config {config} --out {tmp}/out", "{tmp}/text.bag"),
+    ("replay", "--dataset {tmp}/empty --config {config} --out {tmp}/out", "{tmp}/empty rgb.txt"),
+    ("replay", "--dataset {room} --config {tmp}/missing.yaml --out {tmp}/out", "{tmp}/missing.yaml"),
+    ("replay", "--dataset {room} --config {tmp}/unknown_key.yaml --out {tmp}/out", "{tmp}/unknown_key.yaml focal"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/text.bag/out", "{tmp}/text.bag"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/out --stages tracking,semantic", "'semantic'"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/out --stages tracking,cooking", "'cooking'"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/out --speed 2", "--speed"),
+    ("evaluate_trajectory", "", "REFERENCE"),
+    ("evaluate_trajectory", "{room}/groundtruth.txt", "ESTIMATE"),
+    ("evaluate_trajectory", "{room}/groundtruth.txt {tmp}/missing.txt", "{tmp}/missing.txt"),
+    ("evaluate_trajectory", "{room}/groundtruth.txt {tmp}/bad_trajectory.txt", "{tmp}/bad_trajectory.txt 2"),
+    ("evaluate_trajectory", "{room}/groundtruth.txt {tmp}/empty.txt", "{tmp}/empty.txt pose"),
+    ("evaluate_trajectory", "{room}/groundtruth.txt {room}/groundtruth.txt --max-dt -1", "--max-dt"),
+    ("evaluate_trajectory", "{room}/groundtruth.txt {room}/groundtruth.txt --rpe-seconds 1 --rpe-metres 1",
+     "--rpe-seconds --rpe-metres"),
+    ("tum_to_bag", "{room}", "OUT.bag"),
+    ("tum_to_bag", "{tmp}/missing {tmp}/out.bag", "{tmp}/missing"),
+    ("tum_to_bag", "{tmp}/empty {tmp}/out.bag", "{tmp}/empty rgb.txt"),
+    ("tum_to_bag", "{room} {tmp}/text.bag/out.bag", "{tmp}/text.bag"),
+    ("render_textured_room", "", "OUT_DIR"),
+    ("render_textured_room", "{tmp}/out --seconds 0", "--seconds"),
+    ("render_textured_room", "{tmp}/text.bag --seconds 1", "{tmp}/text.bag"),
+]
+
+
+@pytest.fixture(name="tmp")
+def fixture_tmp(tmp_path, repository):
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "text.bag").write_text("not a bag\n")
+    (tmp_path / "empty.txt").write_text("")
+    (tmp_path / "unknown_key.yaml").write_text(
+        (repository / "config/tum_freiburg1.yaml").read_text() + "focal: 500\n")
+    (tmp_path / "bad_trajectory.txt").write_text("1 0 0 0 0 0 0 1\n2 0 0 zero 0 0 0 1\n")
+    return tmp_path
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_help_says_how_to_call_it(run_program, program):
+    result = run_program(program, "--help")
+    assert result.returncode == 0
+    assert result.stdout.startswith(f"usage: {program} ")
+    assert result.stderr == ""
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_a_full_disk_is_an_error(build_folder, program):
+    with open("/dev/full", "w", encoding="ascii") as full:
+        result = subprocess.run([build_folder / "devel/lib/semantic_slam" / program, "--help"],
+                                stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert (result.returncode, result.stderr) == (1, f"{program}: cannot write to standard output\n")
+
+
+@pytest.mark.parametrize("program, arguments, words", REFUSED)
+def test_refuses_in_one_line(run_program, repository, room, tmp, program, arguments, words):
+    places = {"tmp": tmp, "room": room.folder, "config": repository / "config/tum_freiburg1.yaml"}
+    before = sorted(tmp.rglob("*"))
+    result = run_program(program, *arguments.format(**places).split())
+    assert result.returncode == 1
+    assert result.stdout == ""
+    assert result.stderr.startswith(f"{program}: ")
+    assert result.stderr.count("\n") == 1, result.stderr
+    for word in words.format(**places).split():
+        assert word in result.stderr
+    assert sorted(tmp.rglob("*")) == before  # nothing half-written stays
+
+
+def test_every_program_is_refused_something():
+    assert {program for program, _, _ in REFUSED} == set(PROGRAMS)
