@@ -28,8 +28,8 @@ BundleProblem Wall(int moving, int fixed, int points, const CameraModel& camera)
       if (!camera.undistorted_bounds().contains(cv::Point2d(pixel.x(), pixel.y()))) continue;
       const double inverse_depth =
           1.0 / p.z() + ObservationNoise().InverseDepthSigma() * noise(random);
-      problem.observations.push_back({i, j, pixel + Eigen::Vector2d(noise(random), noise(random)),
-                                      1.0 / inverse_depth, 1.0});
+      problem.observations.push_back(
+          {i, j, pixel + Eigen::Vector2d(noise(random), noise(random)), 1.0 / inverse_depth, 1.0});
     }
   }
   for (int i = 0; i < moving; ++i) {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include <ros/console.h>
+
 #include "semantic_slam/common/error.h"
-#include "semantic_slam/localization/gravity_alignment.h"
 #include "semantic_slam_ros/conversions.h"
 #include "semantic_slam_ros/topics.h"
 
@@ -18,14 +19,6 @@ constexpr int kQueueSize = 200;     // an imu sends in bursts
 constexpr double kWindowS = 0.5;    // readings that count, before the image
 constexpr double kRememberS = 2.0;  // images arrive later than readings of the same moment
 constexpr double kEnough = 0.8;     // share of the window that must be covered to go ahead
-
-// The base stands at the map's origin, turned so that `up_camera` is z and the camera looks along x.
-Rigid3d UprightStart(const Eigen::Vector3d& up_camera, const Rigid3d& T_base_camera) {
-  Rigid3d T_map_base = Rigid3d::Identity();
-  T_map_base.linear() = semantic_slam::StartPoseFromUp(up_camera).linear() *
-                        T_base_camera.linear().transpose();
-  return T_map_base * T_base_camera;
-}
 
 }  // namespace
 
@@ -56,11 +49,19 @@ bool StartPose::IsWorthWaiting(Stamp stamp) const {
   return readings_.empty() || SecondsBetween(readings_.front().stamp, stamp) < kEnough * kWindowS;
 }
 
-std::optional<StartPose::Found> StartPose::Find(Stamp stamp, const std::string& camera_frame,
-                                                const Rigid3d& T_base_camera,
-                                                StaticTransforms& transforms) {
-  if (!first_image_) first_image_ = stamp;
-  if (IsWorthWaiting(stamp)) return std::nullopt;
+std::optional<semantic_slam::MapStart> StartPose::Find(const semantic_slam::RgbdImage& image,
+                                                       const semantic_slam::CameraModel& camera,
+                                                       const std::string& camera_frame,
+                                                       const Rigid3d& T_base_camera,
+                                                       StaticTransforms& transforms) {
+  if (!first_image_) first_image_ = image.stamp;
+  if (IsWorthWaiting(image.stamp)) return std::nullopt;
+  return semantic_slam::FindMapStart(UpByImu(image.stamp, camera_frame, transforms), image, camera,
+                                     T_base_camera);
+}
+
+std::optional<Eigen::Vector3d> StartPose::UpByImu(Stamp stamp, const std::string& camera_frame,
+                                                  StaticTransforms& transforms) const {
   std::vector<AccelerometerReading> readings;
   std::string imu_frame;
   {
@@ -68,15 +69,15 @@ std::optional<StartPose::Found> StartPose::Find(Stamp stamp, const std::string& 
     readings = readings_;
     imu_frame = imu_frame_;
   }
-  const std::string level = "the base is taken to stand level, ";
-  if (readings.empty()) return Found{T_base_camera, level + "there is no imu"};
+  if (readings.empty()) return std::nullopt;
   const auto up_imu = semantic_slam::MeanAcceleration(readings, stamp, kWindowS);
-  if (!up_imu) return Found{T_base_camera, level + "the imu does not read gravity"};
-  const auto T_camera_imu = transforms.Find(camera_frame, imu_frame);
-  if (!T_camera_imu) {
-    return Found{T_base_camera, level + "tf does not know the imu's frame '" + imu_frame + "'"};
+  if (!up_imu) {
+    ROS_WARN("the imu does not read gravity, so it cannot tell which way is up");
+    return std::nullopt;
   }
-  return Found{UprightStart(T_camera_imu->linear() * *up_imu, T_base_camera), "up from the imu"};
+  const auto T_camera_imu = transforms.Find(camera_frame, imu_frame);
+  if (!T_camera_imu) return std::nullopt;
+  return T_camera_imu->linear() * *up_imu;
 }
 
 }  // namespace semantic_slam_ros

@@ -31,7 +31,7 @@ std::optional<TrackedFrame> TrackingStage::Process(const RgbdMessages& messages)
   }
   FollowCalibration(messages);
   FollowTimeline(messages.timeline);
-  if (!started_ && !Start(messages, *T_base_camera)) {
+  if (!started_ && !Start(image, messages.frame_id, *T_base_camera)) {
     drops_.AddQuietly("waiting_for_imu");
     return std::nullopt;
   }
@@ -60,9 +60,9 @@ void TrackingStage::FollowCalibration(const RgbdMessages& messages) {
            messages.frame_id.c_str(), intrinsics_->width_px, intrinsics_->height_px,
            intrinsics_->fx_px, intrinsics_->fy_px, intrinsics_->cx_px, intrinsics_->cy_px,
            intrinsics_->distortion.size());
-  auto localization = std::make_shared<VisualLocalization>(
-      options_, std::make_shared<const CameraModel>(*intrinsics_),
-      semantic_slam::MappingMode::kThreaded);
+  camera_ = std::make_shared<const CameraModel>(*intrinsics_);
+  auto localization = std::make_shared<VisualLocalization>(options_, camera_,
+                                                           semantic_slam::MappingMode::kThreaded);
   timeline_ = messages.timeline;
   started_ = false;
   start_pose_.Restart();
@@ -78,12 +78,12 @@ void TrackingStage::FollowTimeline(int timeline) {
   start_pose_.Restart();
 }
 
-bool TrackingStage::Start(const RgbdMessages& messages, const Rigid3d& T_base_camera) {
-  const auto start =
-      start_pose_.Find(messages.stamp, messages.frame_id, T_base_camera, transforms_);
+bool TrackingStage::Start(const RgbdImage& image, const std::string& camera_frame,
+                          const Rigid3d& T_base_camera) {
+  const auto start = start_pose_.Find(image, *camera_, camera_frame, T_base_camera, transforms_);
   if (!start) return false;
   localization_->SetStart(start->T_map_camera);
-  ROS_INFO("a map begins at %s s: %s", ToString(messages.stamp).c_str(), start->source.c_str());
+  ROS_INFO("a map begins at %s s: %s", ToString(image.stamp).c_str(), start->source.c_str());
   started_ = true;
   std::lock_guard<std::mutex> lock(mutex_);
   start_source_ = start->source;

@@ -47,7 +47,8 @@ class TrackingStage {
  private:
   void FollowCalibration(const RgbdMessages& messages);
   void FollowTimeline(int timeline);
-  bool Start(const RgbdMessages& messages, const semantic_slam::Rigid3d& T_base_camera);
+  bool Start(const semantic_slam::RgbdImage& image, const std::string& camera_frame,
+             const semantic_slam::Rigid3d& T_base_camera);
 
   const semantic_slam::LocalizationOptions options_;
   const std::string base_frame_;
@@ -55,6 +56,7 @@ class TrackingStage {
   StaticTransforms transforms_;
   StartPose start_pose_;
   std::shared_ptr<const semantic_slam::CameraIntrinsics> intrinsics_;
+  std::shared_ptr<const semantic_slam::CameraModel> camera_;
   int timeline_ = 0;
   bool started_ = false;
   mutable std::mutex mutex_;

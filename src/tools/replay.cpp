@@ -75,25 +75,31 @@ std::optional<Arguments> ParseArguments(CommandLine& command_line) {
   return arguments;
 }
 
-// Sets the map's z axis up, by the accelerometer if there is one. Returns where "up" came from.
-std::string AlignWithGravity(const Sequence& sequence, Stamp first, VisualLocalization& localization) {
-  if (const auto mean = MeanAcceleration(sequence.source->accelerometer(), first)) {
-    localization.SetStart(StartPoseFromUp(sequence.R_camera_imu * *mean));
-    return "imu";
+// Sets the map's z axis up. Returns where "up" came from.
+std::string AlignWithGravity(const Sequence& sequence, const RgbdImage& first,
+                             const CameraModel& camera, VisualLocalization& localization) {
+  // The camera is the robot: z forward, x right, y down is what x forward, y left, z up sees.
+  Rigid3d T_base_camera = Rigid3d::Identity();
+  T_base_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  std::optional<Eigen::Vector3d> up_camera;
+  if (const auto mean = MeanAcceleration(sequence.source->accelerometer(), first.stamp)) {
+    up_camera = sequence.R_camera_imu * *mean;
   }
-  localization.SetStart(StartPoseFromUp(-Eigen::Vector3d::UnitY()));  // the image's up
-  return "level_start";
+  const MapStart start = FindMapStart(up_camera, first, camera, T_base_camera);
+  localization.SetStart(start.T_map_camera);
+  return start.source;
 }
 
 // Everything a run needs, and what it finds out.
 struct Run {
   Sequence& sequence;
+  const CameraModel& camera;
   VisualLocalization& localization;
   TrajectoryRecorder recorder;
   RunFacts facts;
 
   void Track(const RgbdImage& image) try {
-    if (facts.gravity.empty()) facts.gravity = AlignWithGravity(sequence, image.stamp, localization);
+    if (facts.gravity.empty()) facts.gravity = AlignWithGravity(sequence, image, camera, localization);
     recorder.Add(localization.Track(image));
   } catch (const InputError& e) {
     ++facts.dropped["malformed"];
@@ -136,10 +142,9 @@ int Replay(CommandLine& command_line) {
   if (!arguments) return EXIT_SUCCESS;
   LocalizationOptions options;
   Sequence sequence = OpenSequence(arguments->dataset, arguments->config, options);
-  VisualLocalization localization(options,
-                                  std::make_shared<CameraModel>(sequence.camera),
-                                  arguments->realtime ? MappingMode::kThreaded : MappingMode::kInline);
-  Run run{sequence, localization, {}, {}};
+  const auto camera = std::make_shared<const CameraModel>(sequence.camera);
+  VisualLocalization localization(options, camera, arguments->realtime ? MappingMode::kThreaded : MappingMode::kInline);
+  Run run{sequence, *camera, localization, {}, {}};
   run.facts.source = arguments->dataset;
   run.facts.timings_in_summary = arguments->realtime;
   if (arguments->realtime) {

@@ -29,14 +29,14 @@ TEST(HammingDistanceTest, EveryWordCounts) {
 
 TEST(MedianDescriptorTest, IsTheOneInTheMiddleOfTheCrowd) {
   // Median distance of 11 to {0, 10, 11, 12, 200} is 1; of 10 and 12 it is 2, of the others more.
-  EXPECT_EQ(MedianDescriptor({WithBits(200), WithBits(10), WithBits(0), WithBits(11), WithBits(12)}),
-            3u);
+  EXPECT_EQ(
+      MedianDescriptor({WithBits(200), WithBits(10), WithBits(0), WithBits(11), WithBits(12)}), 3u);
 }
 
 TEST(MedianDescriptorTest, IsNotDraggedAwayByWrongMatches) {
   // The sums of distances favour 100, which nothing is near to; the medians favour the crowd at 0.
-  EXPECT_EQ(MedianDescriptor(
-                {WithBits(100), WithBits(2), WithBits(1), WithBits(0), WithBits(250), WithBits(256)}),
+  EXPECT_EQ(MedianDescriptor({WithBits(100), WithBits(2), WithBits(1), WithBits(0), WithBits(250),
+                              WithBits(256)}),
             2u);
 }
 

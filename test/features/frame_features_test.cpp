@@ -124,17 +124,15 @@ TEST(FrameFeaturesTest, RefusesAnImageOfAnotherSizeAndSaysBothSizes) {
   RgbdImage image;
   image.colour = cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(0));
   image.depth_m = cv::Mat(120, 160, CV_32FC1, cv::Scalar::all(1));
-  EXPECT_EQ(
-      MessageOf<InputError>([&] { FrameFeatures(image, *SmallCamera(), SmallExtractor()); }),
-      "image is [160 x 120] but the camera's calibration is for [320 x 240]");
+  EXPECT_EQ(MessageOf<InputError>([&] { FrameFeatures(image, *SmallCamera(), SmallExtractor()); }),
+            "image is [160 x 120] but the camera's calibration is for [320 x 240]");
 }
 
 TEST(FrameFeaturesTest, RefusesAMalformedImage) {
   RgbdImage image = SquaresImage(1);
   image.depth_m.release();
-  EXPECT_EQ(
-      MessageOf<InputError>([&] { FrameFeatures(image, *SmallCamera(), SmallExtractor()); }),
-      "depth image is empty");
+  EXPECT_EQ(MessageOf<InputError>([&] { FrameFeatures(image, *SmallCamera(), SmallExtractor()); }),
+            "depth image is empty");
 }
 
 }  // namespace

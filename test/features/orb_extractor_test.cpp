@@ -121,8 +121,8 @@ TEST(OrbExtractorTest, KeypointsComeByOctaveAndKeepAPatchFromTheBorder) {
   for (const Keypoint& keypoint : found.keypoints) {
     EXPECT_GE(keypoint.octave, octave);
     octave = keypoint.octave;
-    // The half patch of 15 px and 4 px for FAST and the blur, in pixels of the keypoint's level; the
-    // far border is up to half a pixel nearer because levels have whole sizes.
+    // The half patch of 15 px and 4 px for FAST and the blur, in pixels of the keypoint's level;
+    // the far border is up to half a pixel nearer because levels have whole sizes.
     const float margin = 18.0f * SmallExtractor().scales()[octave];
     EXPECT_GE(keypoint.pixel.minCoeff(), margin);
     EXPECT_LE(keypoint.pixel.x(), 319.0f - margin);

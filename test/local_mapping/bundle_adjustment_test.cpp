@@ -23,8 +23,8 @@ const CameraModel& Camera() {
   return kCamera;
 }
 
-// Cameras in a row, 0.15 m apart, each turned a bit otherwise, before a cloud of points 1.5 to 3.5 m
-// away; all of it moved by T_map_row. The first two cameras are fixed.
+// Cameras in a row, 0.15 m apart, each turned a bit otherwise, before a cloud of points 1.5 to 3.5
+// m away; all of it moved by T_map_row. The first two cameras are fixed.
 BundleProblem ExactProblem(const Rigid3d& T_map_row = Rigid3d::Identity()) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> x_m(-0.8, 0.8), y_m(-0.6, 0.6), z_m(1.5, 3.5);
@@ -88,7 +88,8 @@ void ExpectNear(const BundleProblem& problem, const BundleProblem& truth, double
   }
   double sum_m2 = 0.0;
   for (int j = 0; j < kPoints; ++j) sum_m2 += (problem.points[j] - truth.points[j]).squaredNorm();
-  EXPECT_LT(std::sqrt(sum_m2 / kPoints), 5.0 * distance_m);  // 6 observations each, a camera has 120
+  EXPECT_LT(std::sqrt(sum_m2 / kPoints),
+            5.0 * distance_m);  // 6 observations each, a camera has 120
 }
 
 TEST(AdjustBundleTest, RecoversCamerasAndPointsFromExactObservations) {

@@ -57,7 +57,9 @@ class RunReportTest : public testing::Test {
     WriteRunReport(folder, recorder_, localization_, facts_, ground_truth);
   }
 
-  nlohmann::json Summary() const { return nlohmann::json::parse(Content(folder_ / "summary.json")); }
+  nlohmann::json Summary() const {
+    return nlohmann::json::parse(Content(folder_ / "summary.json"));
+  }
 
   const TemporaryFolder folder_;
   RunFacts facts_;

@@ -235,8 +235,8 @@ TEST(VisualLocalizationTest, TellsHowLongEveryStageTook) {
 
 TEST(LocalizationOptionsTest, AreReadByGroup) {
   const TemporaryFolder folder;
-  const std::string path = folder.Write(
-      "options.yaml", "features: {max_features: 700}\ntracking: {min_inliers: 21}\n");
+  const std::string path =
+      folder.Write("options.yaml", "features: {max_features: 700}\ntracking: {min_inliers: 21}\n");
   YamlReader file(LoadYamlMap(path), path);
   LocalizationOptions options;
   ReadLocalizationOptions(file, options);

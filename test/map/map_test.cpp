@@ -83,8 +83,8 @@ TEST_F(MapPointTest, ItsDirectionIsTheMeanOfThoseToItsCameras) {
   EXPECT_TRUE(map_.FindPoint(id)->view_direction.isApprox(-Eigen::Vector3d::UnitZ()));
   map_.AddObservation(id, beside, 0);
   map_.UpdatePointGeometry(id);
-  EXPECT_TRUE(map_.FindPoint(id)->view_direction.isApprox(
-      Eigen::Vector3d(1.0, 0.0, -1.0).normalized()));
+  EXPECT_TRUE(
+      map_.FindPoint(id)->view_direction.isApprox(Eigen::Vector3d(1.0, 0.0, -1.0).normalized()));
 }
 
 TEST_F(MapPointTest, ItsDescriptorIsTheMedian) {
@@ -276,15 +276,15 @@ class RandomMapEdits {
   explicit RandomMapEdits(std::uint32_t seed) : random_(seed) {}
 
   void EditOnce() {
-    switch (Below(10)) {
-      case 0: AddKeyframe(); break;
-      case 1: case 2: case 3: AddPoint(); break;
-      case 4: case 5: AddObservation(); break;
-      case 6: RemoveObservation(); break;
-      case 7: MergePoints(); break;
-      case 8: ErasePoint(); break;
-      default: CullKeyframe(); break;
-    }
+    using Edit = void (RandomMapEdits::*)();
+    static constexpr Edit kEdits[] = {
+        // the likely ones more than once
+        &RandomMapEdits::AddKeyframe,    &RandomMapEdits::AddPoint,
+        &RandomMapEdits::AddPoint,       &RandomMapEdits::AddPoint,
+        &RandomMapEdits::AddObservation, &RandomMapEdits::AddObservation,
+        &RandomMapEdits::MergePoints,    &RandomMapEdits::RemoveObservation,
+        &RandomMapEdits::ErasePoint,     &RandomMapEdits::CullKeyframe};
+    (this->*kEdits[Below(10)])();
   }
 
   Map& map() { return map_; }
@@ -301,7 +301,9 @@ class RandomMapEdits {
   }
 
   // A point that lives, or kNoPoint.
-  PointId AnyPoint() { return last_point_ < 0 ? kNoPoint : map_.Resolve(Below(static_cast<int>(last_point_) + 1)); }
+  PointId AnyPoint() {
+    return last_point_ < 0 ? kNoPoint : map_.Resolve(Below(static_cast<int>(last_point_) + 1));
+  }
 
   void AddKeyframe() {
     const auto& frame = Below(2) == 0 ? FrameA() : FrameB();

@@ -2,7 +2,11 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -81,6 +85,33 @@ TEST(NodeParametersTest, FileRepeatsTheDefaults) {
   expect_equal(defaults.localization.features, read.localization.features);
   expect_equal(defaults.localization.tracking, read.localization.tracking);
   expect_equal(defaults.localization.local_mapping, read.localization.local_mapping);
+}
+
+TEST(NodeParametersTest, DocumentationListsEachWithItsDefault) {
+  std::ifstream file(SEMANTIC_SLAM_SOURCE_DIR "/docs/ros_api.md");
+  const std::string documentation((std::istreambuf_iterator<char>(file)), {});
+  const auto expect_listed = [&](const std::string& group, const auto& options) {
+    using Options = std::decay_t<decltype(options)>;
+    Options::Visit(options, [&](const char* name, const auto& value, const auto&...) {
+      std::ostringstream row;
+      row << std::boolalpha << "| `~" << group << name << "` | ";
+      const std::size_t at = documentation.find(row.str());
+      ASSERT_NE(at, std::string::npos) << row.str();
+      std::ostringstream text;
+      text << std::boolalpha << value;
+      const std::string line = documentation.substr(at, documentation.find('\n', at) - at);
+      const std::string expected = text.str().empty() ? "(empty)" : text.str();
+      EXPECT_NE(line.find(" | " + expected), std::string::npos) << line << ": not " << expected;
+    });
+  };
+  TrackingNodeParameters defaults;
+  expect_listed("", defaults.node);
+  expect_listed("", defaults.input);
+  expect_listed("", defaults.publisher);
+  expect_listed("pairer/", defaults.pairer);
+  semantic_slam::LocalizationOptions::VisitGroups(
+      defaults.localization,
+      [&](const std::string& name, const auto& group) { expect_listed(name + "/", group); });
 }
 
 }  // namespace

@@ -41,7 +41,9 @@ Eigen::Vector3d RandomDirection(std::mt19937& random) {
 
 }  // namespace
 
-CameraIntrinsics SmallIntrinsics() { return {320, 240, 260.0, 260.0, 159.5, 119.5, {}}; }
+CameraIntrinsics SmallIntrinsics() {
+  return {320, 240, 260.0, 260.0, 159.5, 119.5, {}};
+}
 
 std::shared_ptr<const CameraModel> SmallCamera() {
   static const auto kCamera = std::make_shared<const CameraModel>(SmallIntrinsics());

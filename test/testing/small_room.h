@@ -23,7 +23,8 @@ const OrbExtractor& SmallExtractor();
 RgbdImage SmallRoomImage(const Rigid3d& T_world_camera, Stamp stamp);
 std::shared_ptr<const FrameFeatures> SmallRoomFeatures(const Rigid3d& T_world_camera, Stamp stamp);
 
-// An image of SmallCamera()'s full of corners that no other seed has: grey squares of 8 px, 2 m away.
+// An image of SmallCamera()'s full of corners that no other seed has: grey squares of 8 px, 2 m
+// away.
 RgbdImage SquaresImage(std::uint32_t seed);
 std::shared_ptr<const FrameFeatures> SquaresFeatures(std::uint32_t seed);
 

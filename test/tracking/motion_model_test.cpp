@@ -7,7 +7,9 @@ namespace {
 
 constexpr Stamp kStart{1'000'000'000};
 
-Stamp After(double seconds) { return {kStart.ns + static_cast<std::int64_t>(seconds * 1e9)}; }
+Stamp After(double seconds) {
+  return {kStart.ns + static_cast<std::int64_t>(seconds * 1e9)};
+}
 
 // 0.1 m forward and 0.2 rad about the vertical.
 Rigid3d Motion(double times = 1.0) {

@@ -37,8 +37,7 @@ class PoseOptimizerTest : public testing::Test {
     for (PoseObservation& o : observations) {
       o.pixel += share * noise_.PixelSigma(o.pyramid_scale) *
                  Eigen::Vector2d(normal(random_), normal(random_));
-      o.depth_m =
-          1.0 / (1.0 / o.depth_m + share * noise_.InverseDepthSigma() * normal(random_));
+      o.depth_m = 1.0 / (1.0 / o.depth_m + share * noise_.InverseDepthSigma() * normal(random_));
     }
   }
 
@@ -81,15 +80,15 @@ TEST_F(PoseOptimizerTest, StandsNoiseAndThirtyPercentOutliers) {
     if (is_wrong[i]) observations[i].pixel = Eigen::Vector2d(u_px(random_), v_px(random_));
   }
   const PoseEstimate estimate = Optimize(observations);
-  // 1 px at 3 m is 6 mm, and 210 good points make that sqrt(210) = 14 times better: 0.4 mm. Rotation
-  // and translation share the information, hence the factor of ten.
+  // 1 px at 3 m is 6 mm, and 210 good points make that sqrt(210) = 14 times better: 0.4 mm.
+  // Rotation and translation share the information, hence the factor of ten.
   ExpectNear(estimate.T_map_camera, 0.004, 0.1 * kDegree);
   int wrong_kept = 0, good_lost = 0;
   for (std::size_t i = 0; i < observations.size(); ++i) {
     wrong_kept += is_wrong[i] && estimate.is_inlier[i];
     good_lost += !is_wrong[i] && !estimate.is_inlier[i];
   }
-  EXPECT_LE(wrong_kept, 2);   // by chance one may lie near its place
+  EXPECT_LE(wrong_kept, 2);         // by chance one may lie near its place
   EXPECT_LE(good_lost, 0.1 * 210);  // 5 % of good ones exceed the limit by definition
   EXPECT_EQ(estimate.inliers,
             std::count(estimate.is_inlier.begin(), estimate.is_inlier.end(), true));

@@ -25,7 +25,9 @@ std::optional<PredictedView> ViewFrom(const Rigid3d& T_map_camera,
   return PredictView(point, T_map_camera.inverse(), *SmallCamera(), SmallExtractor().scales());
 }
 
-Rigid3d Along(double x_m, double z_m) { return Rigid3d(Eigen::Translation3d(x_m, 0.0, z_m)); }
+Rigid3d Along(double x_m, double z_m) {
+  return Rigid3d(Eigen::Translation3d(x_m, 0.0, z_m));
+}
 
 // 2 m from the point, turned about it by `angle_rad`, and looking at it.
 Rigid3d AroundThePoint(double angle_rad) {
@@ -86,7 +88,8 @@ class MatchByProjectionTest : public testing::Test {
 
   std::vector<ProjectionCandidate> AllCandidates() const {
     std::vector<ProjectionCandidate> candidates;
-    for (int i = 0; i < static_cast<int>(frame_->size()); ++i) candidates.push_back(CandidateFor(i));
+    for (int i = 0; i < static_cast<int>(frame_->size()); ++i)
+      candidates.push_back(CandidateFor(i));
     return candidates;
   }
 

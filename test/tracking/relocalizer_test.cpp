@@ -15,8 +15,8 @@ constexpr Stamp kNow{1'000'000'000};
 class RelocalizerTest : public testing::Test {
  protected:
   RelocalizerTest() {
-    keyframe_ = AddKeyframeWithPoints(map_, SmallRoomFeatures(T_world_keyframe_, kNow),
-                                      T_world_keyframe_);
+    keyframe_ =
+        AddKeyframeWithPoints(map_, SmallRoomFeatures(T_world_keyframe_, kNow), T_world_keyframe_);
   }
 
   std::optional<Relocalization> Find(const FrameFeatures& frame, int min_inliers = kMinInliers) {

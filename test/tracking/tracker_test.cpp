@@ -21,7 +21,9 @@ Stamp StampOf(int image) {
 }
 
 // HandheldPath when it is at its fastest, 30 images/s shown as 15: 0.02 m from image to image.
-Rigid3d TruePose(int image) { return HandheldPath::T_world_camera(3.0 + image / (2.0 * kImagesPerS)); }
+Rigid3d TruePose(int image) {
+  return HandheldPath::T_world_camera(3.0 + image / (2.0 * kImagesPerS));
+}
 
 // Rendered once for all tests.
 std::shared_ptr<const FrameFeatures> RoomFrame(int image) {
@@ -114,8 +116,7 @@ TEST_F(TrackerTest, WaitsForAnImageToStartWith) {
 TEST_F(TrackerTest, AnImageWithoutDepthStartsNoMap) {
   RgbdImage image = SmallRoomImage(TruePose(0), StampOf(0));
   image.depth_m.setTo(0.0f);
-  const auto frame =
-      std::make_shared<const FrameFeatures>(image, *SmallCamera(), SmallExtractor());
+  const auto frame = std::make_shared<const FrameFeatures>(image, *SmallCamera(), SmallExtractor());
   EXPECT_EQ(Track(frame).image.status, TrackingStatus::kInitializing);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/localization/floor_plane.h"
 
 namespace semantic_slam {
 namespace {
@@ -45,6 +46,23 @@ std::optional<Eigen::Vector3d> MeanAcceleration(const std::vector<AccelerometerR
     return std::nullopt;
   }
   return mean;
+}
+
+MapStart FindMapStart(const std::optional<Eigen::Vector3d>& up_by_imu_camera,
+                      const RgbdImage& image, const CameraModel& camera,
+                      const Rigid3d& T_base_camera) {
+  const auto upright = [&](const Eigen::Vector3d& up_camera) {
+    Rigid3d T_map_base = Rigid3d::Identity();
+    T_map_base.linear() =
+        StartPoseFromUp(up_camera).linear() * T_base_camera.linear().transpose();
+    return T_map_base * T_base_camera;
+  };
+  if (up_by_imu_camera) return {upright(*up_by_imu_camera), "up from the imu"};
+  const Eigen::Vector3d up_if_level = T_base_camera.linear().transpose().col(2);
+  if (const auto normal = LevelSurfaceNormal(image, camera, up_if_level)) {
+    return {upright(*normal), "up from a level surface in view"};
+  }
+  return {T_base_camera, "the base is taken to stand level"};
 }
 
 }  // namespace semantic_slam

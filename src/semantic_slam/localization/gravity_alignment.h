@@ -1,8 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/camera/rgbd_image.h"
 #include "semantic_slam/common/transform.h"
 #include "semantic_slam/dataset/rgbd_source.h"
 
@@ -22,5 +25,19 @@ Rigid3d StartPoseFromUp(const Eigen::Vector3d& up_camera);
 // 9.81 m/s^2: then it was not gravity.
 std::optional<Eigen::Vector3d> MeanAcceleration(const std::vector<AccelerometerReading>& readings,
                                                 Stamp stamp, double window_s = 0.5);
+
+// Where a map begins, and how it was known which way is up.
+struct MapStart {
+  Rigid3d T_map_camera;
+  std::string source;  // a clause for the log: "up from the imu"
+};
+
+// The start of a map whose first image is `image`: z up, origin at the base frame. Up comes from
+// `up_by_imu_camera` (an accelerometer's mean reading, optical frame) if it is given; else from the
+// largest level surface in view, see LevelSurfaceNormal(); else the base is taken to stand level.
+// With the first two the camera looks along x, with the last one the base does.
+MapStart FindMapStart(const std::optional<Eigen::Vector3d>& up_by_imu_camera,
+                      const RgbdImage& image, const CameraModel& camera,
+                      const Rigid3d& T_base_camera);
 
 }  // namespace semantic_slam

@@ -12,7 +12,7 @@ namespace semantic_slam {
 // What the caller knows of a run that localization itself does not.
 struct RunFacts {
   std::string source;   // what was played: a folder, a bag, topics
-  std::string gravity;  // where "up" came from: imu, level_start
+  std::string gravity;  // where "up" came from, see MapStart
   std::map<std::string, std::size_t> dropped;  // images that never reached tracking, by cause
   // Durations go into timing.csv always. They differ from run to run, so summary.json holds them
   // only where it need not be reproducible.
