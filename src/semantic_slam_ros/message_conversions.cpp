@@ -91,20 +91,23 @@ nav_msgs::Path ToPath(const semantic_slam::Trajectory& trajectory, const std::st
   return msg;
 }
 
-sensor_msgs::PointCloud2 ToPointCloud2(const std::vector<Eigen::Vector3f>& points,
+sensor_msgs::PointCloud2 ToPointCloud2(const std::vector<semantic_slam::ColouredPoint>& points,
                                        const std_msgs::Header& header) {
   sensor_msgs::PointCloud2 msg;
   msg.header = header;
   msg.is_dense = true;
   sensor_msgs::PointCloud2Modifier modifier(msg);
-  using sensor_msgs::PointField;
-  modifier.setPointCloud2Fields(3, "x", 1, PointField::FLOAT32, "y", 1, PointField::FLOAT32, "z", 1,
-                                PointField::FLOAT32);
+  modifier.setPointCloud2FieldsByString(2, "xyz", "rgb");
   modifier.resize(points.size());
   sensor_msgs::PointCloud2Iterator<float> xyz(msg, "x");
-  for (const Eigen::Vector3f& point : points) {
-    for (int i = 0; i < 3; ++i) xyz[i] = point[i];
+  sensor_msgs::PointCloud2Iterator<std::uint8_t> bgr(msg, "rgb");  // little-endian 0x00rrggbb
+  for (const semantic_slam::ColouredPoint& point : points) {
+    for (int i = 0; i < 3; ++i) {
+      xyz[i] = point.position[i];
+      bgr[i] = point.rgb[2 - i];
+    }
     ++xyz;
+    ++bgr;
   }
   return msg;
 }

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
 #include <nav_msgs/Path.h>
 #include <semantic_slam/KeyframeArray.h>
 #include <semantic_slam/TrackingState.h>
@@ -12,6 +11,7 @@
 
 #include "semantic_slam/common/keyframe_graph.h"
 #include "semantic_slam/evaluation/trajectory.h"
+#include "semantic_slam/map/map.h"
 
 // The core's results as this package's messages. Frames are given without leading slash.
 
@@ -28,8 +28,8 @@ semantic_slam::KeyframeArray ToKeyframeArray(const semantic_slam::KeyframeGraph&
 // Stamped with the last pose. Precondition: not empty.
 nav_msgs::Path ToPath(const semantic_slam::Trajectory& trajectory, const std::string& frame);
 
-// Fields x y z (float32) [m].
-sensor_msgs::PointCloud2 ToPointCloud2(const std::vector<Eigen::Vector3f>& points,
+// Fields x y z (float32) [m] and rgb (PCL's packing).
+sensor_msgs::PointCloud2 ToPointCloud2(const std::vector<semantic_slam::ColouredPoint>& points,
                                        const std_msgs::Header& header);
 
 }  // namespace semantic_slam_ros

@@ -234,7 +234,7 @@ TEST_F(LocalMapperTest, CullsViewsThatAddNothing) {
 TEST_F(LocalMapperTest, TheSameMapGivesTheSameBytes) {
   const auto process_all = [&] {
     for (KeyframeId id = 0; id < kKeyframes; ++id) Process(id);
-    return std::make_pair(map_->Graph(), map_->PointPositions());
+    return std::make_pair(map_->Graph(), map_->ColouredPoints());
   };
   const auto first = process_all();
   TrackRoom();

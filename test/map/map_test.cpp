@@ -254,7 +254,7 @@ TEST_F(MapTest, ClearingStartsANewMapWithNewIds) {
   EXPECT_EQ(map_.Graph().map_id, 1);
   EXPECT_TRUE(map_.Graph().keyframes.empty());
   EXPECT_EQ(map_.point_count(), 0u);
-  EXPECT_TRUE(map_.PointPositions().empty());
+  EXPECT_TRUE(map_.ColouredPoints().empty());
   EXPECT_EQ(map_.FindPoint(point), nullptr);
   const KeyframeId next = AddKeyframe();
   EXPECT_EQ(next, 2);
@@ -391,7 +391,7 @@ void ExpectObservationsMirrored(const Map& map) {
   }
   EXPECT_EQ(seen_by_keyframes, seen_by_points);
   EXPECT_EQ(alive.size(), map.point_count());  // every point is seen by somebody
-  EXPECT_EQ(map.PointPositions().size(), map.point_count());
+  EXPECT_EQ(map.ColouredPoints().size(), map.point_count());
 }
 
 void ExpectCovisibilitySymmetric(const Map& map) {

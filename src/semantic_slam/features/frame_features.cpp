@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -35,6 +36,14 @@ float DepthAt(const cv::Mat& depth_m, const Eigen::Vector2f& raw) {
   return depth > 0.0f && std::isfinite(depth) ? depth : std::numeric_limits<float>::quiet_NaN();
 }
 
+std::array<std::uint8_t, 3> ColourAt(const RgbdImage& image, const Eigen::Vector2f& raw) {
+  const int u = std::clamp(cvRound(raw.x()), 0, image.colour.cols - 1);
+  const int v = std::clamp(cvRound(raw.y()), 0, image.colour.rows - 1);
+  const auto& c = image.colour.at<cv::Vec3b>(v, u);
+  if (image.order == ColourOrder::kRgb) return {c[0], c[1], c[2]};
+  return {c[2], c[1], c[0]};
+}
+
 }  // namespace
 
 FrameFeatures::FrameFeatures(const RgbdImage& image, const CameraModel& camera,
@@ -47,7 +56,7 @@ FrameFeatures::FrameFeatures(const RgbdImage& image, const CameraModel& camera,
   for (const Keypoint& keypoint : extracted.keypoints) {
     features_.push_back({keypoint.pixel, camera.Undistort(keypoint.pixel),
                          DepthAt(image.depth_m, keypoint.pixel), keypoint.angle_rad,
-                         keypoint.octave});
+                         keypoint.octave, ColourAt(image, keypoint.pixel)});
   }
   BuildGrid(camera);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <limits>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -17,6 +18,7 @@ struct Feature {
   float depth_m;          // along the optical axis; NaN if there is none
   float angle_rad;
   int octave;
+  std::array<std::uint8_t, 3> rgb;  // of the image there, for people to look at
 
   bool has_depth() const { return depth_m > 0.0f; }  // NaN compares false
 };

@@ -93,9 +93,9 @@ class VisualLocalization::Implementation {
     return map_.Graph();
   }
 
-  std::vector<Eigen::Vector3f> map_points() const {
+  std::vector<ColouredPoint> map_points() const {
     std::lock_guard<std::mutex> lock(map_.mutex());
-    return map_.PointPositions();
+    return map_.ColouredPoints();
   }
 
   std::vector<FeatureView> features() const {
@@ -186,7 +186,7 @@ std::uint64_t VisualLocalization::revision() const { return implementation_->rev
 KeyframeGraph VisualLocalization::keyframe_graph() const {
   return implementation_->keyframe_graph();
 }
-std::vector<Eigen::Vector3f> VisualLocalization::map_points() const {
+std::vector<ColouredPoint> VisualLocalization::map_points() const {
   return implementation_->map_points();
 }
 std::vector<FeatureView> VisualLocalization::features() const {

@@ -13,6 +13,7 @@
 #include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/features/orb_extractor.h"
 #include "semantic_slam/local_mapping/local_mapper.h"
+#include "semantic_slam/map/map.h"
 #include "semantic_slam/tracking/tracker.h"
 
 namespace semantic_slam {
@@ -75,8 +76,8 @@ class VisualLocalization {
   std::uint64_t revision() const;
   KeyframeGraph keyframe_graph() const;
 
-  // All map points [m, map frame].
-  std::vector<Eigen::Vector3f> map_points() const;
+  // All map points.
+  std::vector<ColouredPoint> map_points() const;
 
   // Features of the image tracked last.
   std::vector<FeatureView> features() const;

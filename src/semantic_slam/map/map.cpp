@@ -37,6 +37,7 @@ MapPoint& Map::AddPoint(const Eigen::Vector3d& position, KeyframeId keyframe, in
   point.id = id;
   point.position = position;
   point.reference = keyframe;
+  point.rgb = (*FindKeyframe(keyframe)->features)[feature].rgb;
   AddObservation(id, keyframe, feature);
   UpdatePointAppearance(id);
   UpdatePointGeometry(id);
@@ -230,13 +231,13 @@ Rigid3d Map::KeyframePose(KeyframeId id) const {
   return KeyframePose(culled.parent) * culled.T_parent_keyframe;
 }
 
-std::vector<Eigen::Vector3f> Map::PointPositions() const {
-  std::vector<Eigen::Vector3f> positions;
-  positions.reserve(point_count_);
+std::vector<ColouredPoint> Map::ColouredPoints() const {
+  std::vector<ColouredPoint> coloured;
+  coloured.reserve(point_count_);
   for (const auto& point : points_) {
-    if (point != nullptr) positions.push_back(point->position.cast<float>());
+    if (point != nullptr) coloured.push_back({point->position.cast<float>(), point->rgb});
   }
-  return positions;
+  return coloured;
 }
 
 void Map::BumpRevision(RevisionReason reason) {

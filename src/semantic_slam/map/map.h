@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -33,11 +34,22 @@ struct MapPoint {
   double min_distance_m = 0.0;
   double max_distance_m = 0.0;
   Descriptor descriptor{};
+  std::array<std::uint8_t, 3> rgb{};
   KeyframeId reference = kNoKeyframe;  // the keyframe that gives its scale
   std::vector<Observation> observations;  // by ascending keyframe
   // Since its birth: images in which it should have been seen, and in which it was matched.
   int visible = 1;
   int found = 1;
+};
+
+// A map point for people to look at.
+struct ColouredPoint {
+  Eigen::Vector3f position;  // [m], map frame
+  std::array<std::uint8_t, 3> rgb;
+
+  friend bool operator==(const ColouredPoint& a, const ColouredPoint& b) {
+    return a.position == b.position && a.rgb == b.rgb;
+  }
 };
 
 // One view kept for good. Its features never change; which map point each one shows does.
@@ -114,7 +126,7 @@ class Map {
 
   const std::map<KeyframeId, std::unique_ptr<Keyframe>>& keyframes() const { return keyframes_; }
   std::size_t point_count() const { return point_count_; }
-  std::vector<Eigen::Vector3f> PointPositions() const;
+  std::vector<ColouredPoint> ColouredPoints() const;
   const std::vector<float>& scales() const { return scales_; }
 
   int map_id() const { return map_id_; }
