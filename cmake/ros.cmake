@@ -119,7 +119,7 @@ function(semantic_slam_ros_tests)
     else()
       catkin_add_gtest(${target} ${source})
     endif()
-    target_link_libraries(${target} semantic_slam_ros semantic_slam_testing gtest)
+    target_link_libraries(${target} semantic_slam_ros semantic_slam_testing gtest gtest_main)
     target_compile_definitions(${target} PRIVATE
       SEMANTIC_SLAM_SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}"
       SEMANTIC_SLAM_PROGRAM_DIR="${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}")
