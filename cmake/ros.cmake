@@ -131,7 +131,7 @@ function(semantic_slam_ros_tests)
   endforeach()
   # The same test of a node, started in another way.
   add_rostest(test/ros/tracking_nodelet.test DEPENDENCIES tracking_node_test)
-  roslaunch_add_file_check(launch)
+  roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 endfunction()
 
 function(semantic_slam_ros_targets)

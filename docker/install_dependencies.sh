@@ -6,7 +6,7 @@ set -euo pipefail
 
 packages=(
   # tools
-  build-essential ca-certificates ccache cmake git ninja-build procps
+  build-essential ca-certificates ccache cmake git ninja-build procps python3-pytest
   # ROS 1 Noetic as packaged by Debian: build system, client library, message packages
   catkin ros-message-generation ros-message-runtime
   libroscpp-dev librosbag-dev librosbag-storage-dev libcv-bridge-dev libimage-transport-dev libmessage-filters-dev
@@ -15,6 +15,8 @@ packages=(
   libtf2-geometry-msgs-dev libtf2-msgs-dev libpcl-conversions-dev libpcl-ros-dev
   libstd-msgs-dev libsensor-msgs-dev libgeometry-msgs-dev libnav-msgs-dev
   libvisualization-msgs-dev libdiagnostic-msgs-dev libros-rosgraph-msgs-dev libstd-srvs-dev
+  ros-std-msgs ros-sensor-msgs ros-geometry-msgs ros-nav-msgs ros-visualization-msgs
+  ros-diagnostic-msgs ros-actionlib-msgs ros-rosgraph-msgs ros-tf2-msgs ros-std-srvs
   # ROS tools that launch files and tests start
   python3-roslaunch python3-rosbag python3-rosnode python3-rosparam python3-rosservice
   python3-rostopic python3-rosmsg python3-rostest python3-rosunit python3-rospy

@@ -1,5 +1,6 @@
 """The installed package works on its own: programs, launch files, messages."""
 
+import os
 import shlex
 import subprocess
 
@@ -9,13 +10,16 @@ import pytest
 @pytest.fixture(name="installed", scope="module")
 def fixture_installed(build_folder, tmp_path_factory):
     """Runs a shell command in the environment of an install space."""
-    prefix = tmp_path_factory.mktemp("install") / "prefix"
-    subprocess.run(["cmake", "--install", build_folder, "--prefix", prefix], check=True, capture_output=True)
+    # --prefix would not do: catkin fixes the place of its setup files when it configures.
+    destination = tmp_path_factory.mktemp("install")
+    subprocess.run(["cmake", "--install", build_folder], env={**os.environ, "DESTDIR": str(destination)},
+                   check=True, capture_output=True)
+    setup = next(destination.rglob("setup.bash"))
 
     def run(command):
-        script = f"source {shlex.quote(str(prefix))}/setup.bash && {command}"
+        script = f"source {shlex.quote(str(setup))} && {command}"
         # A bare environment, so that nothing of the build comes along.
-        return subprocess.run(["env", "-i", "PATH=/usr/bin:/bin", f"HOME={prefix.parent}", "bash", "-c", script],
+        return subprocess.run(["env", "-i", "PATH=/usr/bin:/bin", f"HOME={destination}", "bash", "-c", script],
                               capture_output=True, text=True, timeout=60, check=False)
 
     return run

@@ -39,4 +39,11 @@ void Validate(const Options& options) {
   Options::Visit(options, internal::RangeChecker());
 }
 
+// The same inside an initialiser list: returns `options` if they are valid.
+template <typename Options>
+const Options& Validated(const Options& options) {
+  Validate(options);
+  return options;
+}
+
 }  // namespace semantic_slam

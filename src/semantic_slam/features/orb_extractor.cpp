@@ -108,8 +108,7 @@ std::vector<float> PyramidScales(const OrbExtractorOptions& options) {
 }
 
 OrbExtractor::OrbExtractor(const OrbExtractorOptions& options)
-    : options_(options), scales_(PyramidScales(options)) {
-  Validate(options_);
+    : options_(Validated(options)), scales_(PyramidScales(options_)) {
   features_per_level_ = FeaturesPerLevel(options_);
 }
 

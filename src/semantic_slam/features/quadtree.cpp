@@ -14,12 +14,14 @@ struct Cell {
   std::vector<int> corners;  // indices
 };
 
-// The cell with most corners is split first; among equals the older one, so the result is the same
-// everywhere.
+// The largest cell is split first, of equal ones that with most corners, of those the older one: level
+// by level, so that the corners spread over the image and not over its texture.
 struct SplitOrder {
+  float area;
   std::size_t corners;
   std::size_t cell;
   bool operator<(const SplitOrder& other) const {
+    if (area != other.area) return area < other.area;
     return corners != other.corners ? corners < other.corners : cell > other.cell;
   }
 };
@@ -74,7 +76,7 @@ std::vector<cv::KeyPoint> SpreadByQuadtree(const std::vector<cv::KeyPoint>& corn
     ++occupied;
     // A cell of one pixel cannot be split further: corners are at least a pixel apart.
     if (cell.corners.size() > 1 && std::min(cell.area.width, cell.area.height) > 1.0f) {
-      to_split.push({cell.corners.size(), cells.size()});
+      to_split.push({cell.area.area(), cell.corners.size(), cells.size()});
     }
     cells.push_back(std::move(cell));
   };

@@ -15,6 +15,8 @@ constexpr int kRounds = 4;
 constexpr int kRobustRounds = 3;  // in the last one only inliers are left
 constexpr int kIterationsPerRound = 10;
 constexpr double kMinDepthM = 0.05;
+// A step must not look better because it throws points behind the camera.
+constexpr double kCostBehindCamera = 1e4;
 
 struct NormalEquations {
   Matrix6d H = Matrix6d::Zero();
@@ -55,7 +57,10 @@ class PoseProblem {
     for (std::size_t i = 0; i < observations_.size(); ++i) {
       if (!uses_pixel_[i] && !uses_depth_[i]) continue;
       const Eigen::Vector3d p = T_camera_map * observations_[i].p_map;
-      if (p.z() < kMinDepthM) continue;
+      if (p.z() < kMinDepthM) {
+        equations.cost += kCostBehindCamera;
+        continue;
+      }
       Eigen::Matrix<double, 3, 6> dp;
       dp << Eigen::Matrix3d::Identity(), -Skew(p);
       if (uses_pixel_[i]) {

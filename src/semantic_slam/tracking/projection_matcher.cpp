@@ -12,6 +12,8 @@ constexpr double kMinViewCosine = 0.5;  // 60 degrees
 // A point may be looked for somewhat beyond the distances at which its patch fits the pyramid.
 constexpr double kNearMargin = 0.8;
 constexpr double kFarMargin = 1.2;
+// At the very distance where it was made a point is on its own octave, whatever the rounding.
+constexpr double kOctaveRounding = 1e-3;
 
 struct BestFeature {
   int index = -1;
@@ -101,7 +103,7 @@ std::optional<PredictedView> PredictView(const MapPoint& point, const Rigid3d& T
   const double view_cosine = (camera_in_map - point.position).dot(point.view_direction) / distance;
   if (view_cosine < kMinViewCosine) return std::nullopt;
   const double log_scale = scales.size() > 1 ? std::log(scales[1]) : 1.0;
-  const int octave = static_cast<int>(std::ceil(std::log(point.max_distance_m / distance) / log_scale));
+  const int octave = static_cast<int>(std::ceil(std::log(point.max_distance_m / distance) / log_scale - kOctaveRounding));
   return PredictedView{pixel, std::clamp(octave, 0, static_cast<int>(scales.size()) - 1),
                        view_cosine};
 }

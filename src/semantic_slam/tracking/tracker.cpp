@@ -62,6 +62,7 @@ TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool
   std::lock_guard<std::mutex> lock(map_.mutex());
   Frame frame;
   frame.points.assign(features->size(), kNoPoint);
+  frame.is_inlier.assign(features->size(), false);
   frame.features = std::move(features);
   if (status_ == TrackingStatus::kInitializing) {
     if (!Initialise(frame)) return Finish(frame, TrackingStatus::kInitializing, std::nullopt);
@@ -295,7 +296,9 @@ void Tracker::OptimiseFrame(Frame& frame) {
   const PoseEstimate estimate = OptimizePose(observations, frame.T_map_camera, *camera_, noise_);
   frame.T_map_camera = estimate.T_map_camera;
   frame.inliers = estimate.inliers;
+  std::fill(frame.is_inlier.begin(), frame.is_inlier.end(), false);
   for (std::size_t k = 0; k < features.size(); ++k) {
+    frame.is_inlier[features[k]] = estimate.is_inlier[k];
     if (estimate.is_inlier[k]) {
       ++map_.FindPoint(frame.points[features[k]])->found;
     } else {
@@ -353,7 +356,7 @@ TrackerResult Tracker::Finish(Frame& frame, TrackingStatus status,
   status_ = status;
   TrackerResult result;
   result.new_keyframe = new_keyframe;
-  result.is_inlier.assign(frame.points.size(), false);
+  result.is_inlier = frame.is_inlier;
   TrackedImage& image = result.image;
   image.stamp = frame.features->stamp();
   image.status = status;
@@ -369,9 +372,6 @@ TrackerResult Tracker::Finish(Frame& frame, TrackingStatus status,
     if (was_tracking) {
       motion_.Update(last_.features->stamp(), frame.features->stamp(), T_last_camera);
     }
-  }
-  for (std::size_t i = 0; i < frame.points.size(); ++i) {
-    result.is_inlier[i] = frame.points[i] != kNoPoint;
   }
   image.keyframe_id = frame.reference;
   image.T_keyframe_camera = frame.T_reference_camera;

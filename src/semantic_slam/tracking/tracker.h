@@ -79,6 +79,7 @@ class Tracker {
   struct Frame {
     std::shared_ptr<const FrameFeatures> features;
     std::vector<PointId> points;  // per feature; kNoPoint where none is matched
+    std::vector<bool> is_inlier;  // per feature: its point supports the pose
     Rigid3d T_map_camera = Rigid3d::Identity();
     KeyframeId reference = kNoKeyframe;
     Rigid3d T_reference_camera = Rigid3d::Identity();
