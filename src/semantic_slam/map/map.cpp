@@ -26,6 +26,8 @@ Keyframe& Map::AddKeyframe(std::shared_ptr<const FrameFeatures> features,
   keyframe->T_map_camera = T_map_camera;
   Keyframe& added = *keyframe;
   keyframes_.emplace(added.id, std::move(keyframe));
+  earlier_merges_ = std::move(merges_);
+  merges_.clear();
   return added;
 }
 
@@ -90,7 +92,7 @@ void Map::MergePoints(PointId from, PointId to) {
   kept.found += gone.found;
   ErasePoint(from);
   for (const Observation& o : observations) AddObservation(to, o.keyframe, o.feature);
-  merged_[from] = to;
+  merges_[from] = to;
   UpdatePointAppearance(to);
   UpdatePointGeometry(to);
 }
@@ -198,7 +200,9 @@ MapPoint* Map::FindPoint(PointId id) {
 const MapPoint* Map::FindPoint(PointId id) const { return const_cast<Map*>(this)->FindPoint(id); }
 
 PointId Map::Resolve(PointId id) const {
-  for (auto it = merged_.find(id); it != merged_.end(); it = merged_.find(id)) id = it->second;
+  for (const auto* merges : {&earlier_merges_, &merges_}) {
+    for (auto it = merges->find(id); it != merges->end(); it = merges->find(id)) id = it->second;
+  }
   return FindPoint(id) != nullptr ? id : kNoPoint;
 }
 
@@ -275,7 +279,8 @@ void Map::Clear() {
   culled_.clear();
   first_point_ += static_cast<PointId>(points_.size());
   points_.clear();
-  merged_.clear();
+  merges_.clear();
+  earlier_merges_.clear();
   point_count_ = 0;
   ++map_id_;
   BumpRevision(RevisionReason::kReset);

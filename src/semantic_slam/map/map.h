@@ -112,7 +112,8 @@ class Map {
   MapPoint* FindPoint(PointId id);
   const MapPoint* FindPoint(PointId id) const;
 
-  // The point that `id` is today, after merges; kNoPoint if it was erased.
+  // The point that `id` is today; kNoPoint if it was erased. Merges are remembered until the second
+  // keyframe after them is added, so `id` must not be older than that.
   PointId Resolve(PointId id) const;
 
   // Keyframes sharing most points first; at most `limit`, each sharing at least `min_shared`.
@@ -153,7 +154,10 @@ class Map {
   std::map<KeyframeId, Culled> culled_;
   // By id - first_point_; empty where the point was erased or merged. 8 bytes each stay behind.
   std::vector<std::unique_ptr<MapPoint>> points_;
-  std::map<PointId, PointId> merged_;
+  // From a merged point to the one that took its place: since the newest keyframe was added, and
+  // since the one before it.
+  std::map<PointId, PointId> merges_;
+  std::map<PointId, PointId> earlier_merges_;
   PointId first_point_ = 0;
   KeyframeId next_keyframe_ = 0;
   std::size_t point_count_ = 0;
