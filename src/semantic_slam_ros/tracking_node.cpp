@@ -6,6 +6,7 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <ros/console.h>
 
+#include "semantic_slam/common/check.h"
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/localization/run_report.h"
 #include "semantic_slam_ros/param_reader.h"
@@ -17,11 +18,18 @@ using diagnostic_msgs::DiagnosticStatus;
 using semantic_slam::InputError;
 using semantic_slam::TrackedImage;
 using semantic_slam::TrackingStatus;
+using semantic_slam::VisualLocalization;
 
 namespace {
 
-constexpr double kDiagnosticsPeriodS = 1.0;
 constexpr char kLate[] = "late";
+
+void ReportChange(TrackingStatus before, const TrackedImage& now) {
+  if (before == now.status) return;
+  const std::string stamp = ToString(now.stamp);
+  if (now.status == TrackingStatus::kLost) ROS_WARN("lost at %s s", stamp.c_str());
+  if (now.status == TrackingStatus::kTracking) ROS_INFO("tracking from %s s", stamp.c_str());
+}
 
 }  // namespace
 
@@ -63,10 +71,12 @@ TrackingNode::TrackingNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
   save_service_ = private_nh.advertiseService(topics::kSaveTrajectory, &TrackingNode::OnSave, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("tracking", this, &TrackingNode::Diagnose);
-  // By the wall's clock: it must also tick when the simulated one stands.
+  const double period_s = diagnostics_.getPeriod();
+  semantic_slam::CheckInRange(private_nh.resolveName("diagnostic_period"), period_s, 0.1, 60.0);
+  // By the wall's clock, and forced: update() waits for the simulated one, which may stand or jump.
   diagnostics_timer_ =
-      nh.createWallTimer(ros::WallDuration(kDiagnosticsPeriodS),
-                         [this](const ros::WallTimerEvent&) { diagnostics_.update(); });
+      nh.createWallTimer(ros::WallDuration(period_s),
+                         [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
 }
 
 TrackingNode::~TrackingNode() {
@@ -91,21 +101,21 @@ void TrackingNode::Process(const RgbdMessages& messages) {
   ground_truth_.Publish(frame->tracked, frame->camera_frame);
   const std::chrono::duration<double, std::milli> latency =
       std::chrono::steady_clock::now() - messages.received;
+  ReportChange(Remember(*frame, latency.count(), localization), frame->tracked);
+}
 
+TrackingStatus TrackingNode::Remember(const TrackedFrame& frame, double latency_ms,
+                                      const std::shared_ptr<VisualLocalization>& localization) {
   std::lock_guard<std::mutex> lock(mutex_);
-  if (health_.last.status != frame->tracked.status) {
-    ROS_WARN_COND(frame->tracked.status == TrackingStatus::kLost, "lost at %s s",
-                  ToString(frame->tracked.stamp).c_str());
-    ROS_INFO_COND(frame->tracked.status == TrackingStatus::kTracking, "tracking from %s s",
-                  ToString(frame->tracked.stamp).c_str());
-  }
-  health_.last = frame->tracked;
-  health_.latency.Add(latency.count());
-  health_.camera_frame = frame->camera_frame;
-  if (options_.output_directory.empty()) return;  // nothing is kept that nobody asked for
+  const TrackingStatus before = health_.last.status;
+  health_.last = frame.tracked;
+  health_.latency.Add(latency_ms);
+  health_.camera_frame = frame.camera_frame;
+  if (options_.output_directory.empty()) return before;  // nothing is kept that nobody asked for
   if (recorded_ != localization) recorder_ = semantic_slam::TrajectoryRecorder();
   recorded_ = localization;
-  recorder_.Add(frame->tracked);
+  recorder_.Add(frame.tracked);
+  return before;
 }
 
 bool TrackingNode::OnReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -129,9 +139,10 @@ bool TrackingNode::OnSave(semantic_slam::SaveMap::Request& request,
     if (options_.output_directory.empty()) {
       throw InputError("nothing was recorded: start the node with ~output_directory");
     }
-    Save(request.path.empty() ? options_.output_directory : request.path);
+    const std::string folder = request.path.empty() ? options_.output_directory : request.path;
+    Save(folder);
     response.success = true;
-    response.message = "the trajectory was written";
+    response.message = "the trajectory was written to " + folder;
   } catch (const InputError& e) {
     response.success = false;
     response.message = e.what();

@@ -63,6 +63,10 @@ class TrackingNode {
                const TrackingNodeParameters& parameters);
 
   void Process(const RgbdMessages& messages);
+  // Notes the image for /diagnostics and the report. Returns the status before it.
+  semantic_slam::TrackingStatus Remember(
+      const TrackedFrame& frame, double latency_ms,
+      const std::shared_ptr<semantic_slam::VisualLocalization>& localization);
   bool OnReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool OnSave(semantic_slam::SaveMap::Request& request, semantic_slam::SaveMap::Response& response);

@@ -51,6 +51,12 @@ TEST(NodeParametersTest, RefusesOneOutOfRange) {
   ros::param::del("/tracking_under_test");
 }
 
+TEST(NodeParametersTest, RefusesAPeriodOfDiagnosticsOutOfRange) {
+  ExpectFatal("_diagnostic_period:=0.0",
+              "/tracking_under_test/diagnostic_period = 0, but must be in [0.1, 60]");
+  ros::param::del("/tracking_under_test");
+}
+
 TEST(NodeParametersTest, RefusesAnotherType) {
   ExpectFatal("_queue_size:=many", "/tracking_under_test/queue_size = many, but must be");
   ros::param::del("/tracking_under_test");

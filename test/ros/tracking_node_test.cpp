@@ -233,6 +233,28 @@ TEST_F(TrackingNodeTest, DropsAndCountsBadImagesAndLives) {
   Advance(10.0);
 }
 
+TEST_F(TrackingNodeTest, KeepsItsCalibrationWhenABadOneComes) {
+  const StateMsg before = TrackSequence(2).back();
+  const int count = WaitForDiagnostic("dropped: bad_camera_info", 0);
+  sensor_msgs::CameraInfo uncalibrated;
+  uncalibrated.header = MakeHeader(Now(), kCameraFrame);
+  info_pub_.publish(uncalibrated);
+  EXPECT_GE(WaitForDiagnostic("dropped: bad_camera_info", count + 1), count + 1);
+  const StateMsg after = Track((*images_)[2]);
+  EXPECT_EQ(after.state, StateMsg::STATE_TRACKING);
+  EXPECT_EQ(after.map_id, before.map_id);
+  Advance(10.0);
+}
+
+TEST_F(TrackingNodeTest, DropsAndCountsImagesOutOfOrder) {
+  const StateMsg before = TrackSequence(3).back();
+  const int count = WaitForDiagnostic("dropped: out_of_order", 0);
+  Send((*images_)[1]);
+  EXPECT_GE(WaitForDiagnostic("dropped: out_of_order", count + 2), count + 2) << "colour and depth";
+  EXPECT_EQ(Track((*images_)[3]).map_id, before.map_id);
+  Advance(10.0);
+}
+
 TEST_F(TrackingNodeTest, StartsANewMapWhenTimeJumpsBack) {
   const StateMsg before = TrackSequence(3).back();
   Advance(-60.0);

@@ -55,8 +55,8 @@ double RoundedSeconds(Stamp stamp) {
   // The quotient below is rounded too, by 2^-54 at most. That cannot tip the sum: a multiple of
   // 1e-9 lies in the middle of two doubles of this size or, as 5^9 < 2^21, 2^-51 or more beside it.
   constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-  return static_cast<double>(stamp.ns / kNsPerSecond) +
-         static_cast<double>(stamp.ns % kNsPerSecond) / 1e9;
+  const std::int64_t seconds = stamp.ns / kNsPerSecond;
+  return static_cast<double>(seconds) + static_cast<double>(stamp.ns % kNsPerSecond) / 1e9;
 }
 
 std::vector<MatchedPose> AssociateTrajectories(const Trajectory& reference,

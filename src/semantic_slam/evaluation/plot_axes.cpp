@@ -9,11 +9,12 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kTickSpacing_x_px = 85.0;  // at least, so that numbers keep apart
-constexpr double kTickSpacing_y_px = 42.0;
-constexpr double kTickText_px = 13.0;  // heights of capital letters
-constexpr double kLabelText_px = 14.0;
-constexpr double kTitleText_px = 16.0;
+// In pixels; texts by the height of a capital letter.
+constexpr double kTickSpacingX = 85.0;  // at least, so that numbers keep apart
+constexpr double kTickSpacingY = 42.0;
+constexpr double kTickText = 13.0;
+constexpr double kLabelText = 14.0;
+constexpr double kTitleText = 16.0;
 const cv::Scalar kInk(40, 40, 40);
 const cv::Scalar kGrid(228, 228, 228);
 
@@ -55,8 +56,8 @@ std::string TickLabel(double value, double step) {
 PlotAxes::PlotAxes(PlotCanvas& canvas, const cv::Rect2d& area, PlotRange x, PlotRange y)
     : canvas_(canvas), area_(area), x_(x), y_(y) {
   assert(x.size() > 0.0 && y.size() > 0.0);
-  x_step_ = RoundStep(x_.size(), MaxSteps(area_.width, kTickSpacing_x_px));
-  y_step_ = RoundStep(y_.size(), MaxSteps(area_.height, kTickSpacing_y_px));
+  x_step_ = RoundStep(x_.size(), MaxSteps(area_.width, kTickSpacingX));
+  y_step_ = RoundStep(y_.size(), MaxSteps(area_.height, kTickSpacingY));
   const double x_scale = area_.width / x_.size();
   const double y_scale = area_.height / y_.size();
   const bool is_equal_scale = std::abs(x_scale - y_scale) < 1e-6 * x_scale;
@@ -70,10 +71,10 @@ void PlotAxes::DrawFrame(const std::string& title, const std::string& x_label,
   canvas_.Rectangle(area_, kInk, 1.0);
   const double centre_x = area_.x + 0.5 * area_.width;
   const double centre_y = area_.y + 0.5 * area_.height;
-  canvas_.Text(title, {area_.x, area_.y - 13.0}, HorizontalAlign::kLeft, kTitleText_px, kInk);
-  canvas_.Text(x_label, {centre_x, area_.br().y + 54.0}, HorizontalAlign::kCentre, kLabelText_px,
+  canvas_.Text(title, {area_.x, area_.y - 13.0}, HorizontalAlign::kLeft, kTitleText, kInk);
+  canvas_.Text(x_label, {centre_x, area_.br().y + 54.0}, HorizontalAlign::kCentre, kLabelText,
                kInk);
-  canvas_.VerticalText(y_label, {area_.x - numbers_px - 30.0, centre_y}, kLabelText_px, kInk);
+  canvas_.VerticalText(y_label, {area_.x - numbers_px - 30.0, centre_y}, kLabelText, kInk);
 }
 
 void PlotAxes::DrawXTicks() {
@@ -82,7 +83,7 @@ void PlotAxes::DrawXTicks() {
     canvas_.Line({x_px, area_.y}, {x_px, area_.br().y}, kGrid, 1.0);
     canvas_.Line({x_px, area_.br().y}, {x_px, area_.br().y - 6.0}, kInk, 1.0);
     canvas_.Text(TickLabel(value, x_step_), {x_px, area_.br().y + 24.0}, HorizontalAlign::kCentre,
-                 kTickText_px, kInk);
+                 kTickText, kInk);
   }
 }
 
@@ -93,9 +94,9 @@ double PlotAxes::DrawYTicks() {
     const std::string label = TickLabel(value, y_step_);
     canvas_.Line({area_.x, y_px}, {area_.br().x, y_px}, kGrid, 1.0);
     canvas_.Line({area_.x, y_px}, {area_.x + 6.0, y_px}, kInk, 1.0);
-    canvas_.Text(label, {area_.x - 10.0, y_px + 0.5 * kTickText_px}, HorizontalAlign::kRight,
-                 kTickText_px, kInk);
-    widest_px = std::max(widest_px, PlotCanvas::TextWidth(label, kTickText_px));
+    canvas_.Text(label, {area_.x - 10.0, y_px + 0.5 * kTickText}, HorizontalAlign::kRight,
+                 kTickText, kInk);
+    widest_px = std::max(widest_px, PlotCanvas::TextWidth(label, kTickText));
   }
   return widest_px;
 }

@@ -52,8 +52,8 @@ std::optional<Stamp> ParseStamp(const std::string& text) {
   if (!seconds) return std::nullopt;
   // Long double has the 61 bits that nanoseconds since the epoch need.
   const long double nanoseconds = static_cast<long double>(*seconds) * 1e9L;
-  const auto limit = static_cast<long double>(std::numeric_limits<std::int64_t>::max() / 2);
-  if (std::abs(nanoseconds) > limit) return std::nullopt;
+  constexpr std::int64_t kLimit = std::numeric_limits<std::int64_t>::max() / 2;
+  if (std::abs(nanoseconds) > static_cast<long double>(kLimit)) return std::nullopt;
   return Stamp{std::llround(nanoseconds)};
 }
 

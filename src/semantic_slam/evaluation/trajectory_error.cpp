@@ -11,8 +11,8 @@ namespace semantic_slam {
 namespace {
 
 constexpr double kDegPerRad = 180.0 / M_PI;
-constexpr double kIntervalTolerance_s = 0.1;
-constexpr double kRounding_m = 1e-9;  // ten steps of 0.1 m are a metre
+constexpr double kIntervalTolerance = 0.1;  // [s]
+constexpr double kRounding = 1e-9;          // [m], ten steps of 0.1 m are a metre
 
 // Length of the reference's path from the first match to each.
 std::vector<double> PathAtMatches(const std::vector<MatchedPose>& matches) {
@@ -28,9 +28,9 @@ std::vector<double> PathAtMatches(const std::vector<MatchedPose>& matches) {
 // thesis eq. (4.5), corrected as the header says.
 void AddPair(const MatchedPose& start, const MatchedPose& end, double path_m,
              RelativeErrors& errors) {
-  const Rigid3d T_start_end = start.T_reference_sensor.inverse() * end.T_reference_sensor;
-  const Rigid3d estimated_T_start_end = start.T_estimate_sensor.inverse() * end.T_estimate_sensor;
-  const Rigid3d error = T_start_end.inverse() * estimated_T_start_end;
+  const Rigid3d motion = start.T_reference_sensor.inverse() * end.T_reference_sensor;
+  const Rigid3d estimated_motion = start.T_estimate_sensor.inverse() * end.T_estimate_sensor;
+  const Rigid3d error = motion.inverse() * estimated_motion;
   errors.translation_m.push_back(error.translation().norm());
   errors.rotation_deg.push_back(kDegPerRad * RotationAngle(error.linear()));
   errors.path_m.push_back(path_m);
@@ -50,7 +50,7 @@ std::optional<std::size_t> MatchAfterInterval(const std::vector<double>& stamps_
     if (i <= start || i >= stamps_s.size()) continue;
     if (!best || off_s(i) < off_s(*best)) best = i;
   }
-  if (best && off_s(*best) > kIntervalTolerance_s) return std::nullopt;
+  if (best && off_s(*best) > kIntervalTolerance) return std::nullopt;
   return best;
 }
 
@@ -96,6 +96,7 @@ AbsoluteErrors ComputeAbsoluteErrors(const std::vector<MatchedPose>& matches,
 RelativeErrors RelativeErrorsOverTime(const std::vector<MatchedPose>& matches, double interval_s) {
   assert(interval_s > 0.0);
   std::vector<double> stamps_s;
+  stamps_s.reserve(matches.size());
   for (const MatchedPose& match : matches) stamps_s.push_back(RoundedSeconds(match.stamp));
   const std::vector<double> path_m = PathAtMatches(matches);
   RelativeErrors errors;
@@ -112,7 +113,7 @@ RelativeErrors RelativeErrorsOverPath(const std::vector<MatchedPose>& matches, d
   RelativeErrors errors;
   std::size_t end = 0;
   for (std::size_t start = 0; start < matches.size(); ++start) {
-    while (end < matches.size() && path_m[end] - path_m[start] < segment_m - kRounding_m) ++end;
+    while (end < matches.size() && path_m[end] - path_m[start] < segment_m - kRounding) ++end;
     if (end == matches.size()) break;
     AddPair(matches[start], matches[end], path_m[end] - path_m[start], errors);
   }

@@ -119,9 +119,9 @@ struct ViewLayout {
 
   explicit ViewLayout(const Bounds& bounds) {
     constexpr double kMargin = 1.12;
-    constexpr double kMinExtent_m = 0.02;  // a sensor that stood still
+    constexpr double kMinExtent = 0.02;  // [m], a sensor that stood still
     const Eigen::Array3d centre = 0.5 * (bounds.low + bounds.high);
-    const Eigen::Array3d extent = (kMargin * (bounds.high - bounds.low)).max(kMinExtent_m);
+    const Eigen::Array3d extent = (kMargin * (bounds.high - bounds.low)).max(kMinExtent);
     const double aspect = std::max(extent.y(), extent.z()) / extent.x();
     height = kViewWidth * std::clamp(aspect, 0.5, 1.0);
     const auto view = [&](int axis) {
@@ -148,12 +148,12 @@ class Legend {
   Legend(PlotCanvas& canvas, cv::Point2d start) : canvas_(canvas), at_(start) {}
 
   void AddLine(const std::string& name, const cv::Scalar& colour, double width) {
-    canvas_.Line(at_, at_ + kLine, colour, width);
-    AddName(name, kLine.x);
+    canvas_.Line(at_, LineEnd(), colour, width);
+    AddName(name, kLineLength);
   }
   void AddDashedLine(const std::string& name, const cv::Scalar& colour, double width) {
-    canvas_.DashedLine(at_, at_ + kLine, colour, width);
-    AddName(name, kLine.x);
+    canvas_.DashedLine(at_, LineEnd(), colour, width);
+    AddName(name, kLineLength);
   }
   void AddEnds() {
     canvas_.Dot(at_ + cv::Point2d(kMarker, 0.0), kMarker, kGreen);
@@ -163,13 +163,16 @@ class Legend {
   }
 
  private:
+  static constexpr double kLineLength = 44.0;
+
+  cv::Point2d LineEnd() const { return {at_.x + kLineLength, at_.y}; }
+
   void AddName(const std::string& name, double symbol_width) {
     at_.x += symbol_width + 10.0;
     canvas_.Text(name, at_ + cv::Point2d(0.0, 0.5 * kText), HorizontalAlign::kLeft, kText, kInk);
     at_.x += PlotCanvas::TextWidth(name, kText) + 34.0;
   }
 
-  const cv::Point2d kLine{44.0, 0.0};
   PlotCanvas& canvas_;
   cv::Point2d at_;
 };
@@ -248,9 +251,9 @@ PlotRange TimeRange(const Trajectory& trajectory) {
 
 void DrawErrorCurve(const Trajectory& estimate, const TrajectoryReport& report, Figure& figure) {
   const ErrorStatistics statistics = Summarise(report.absolute.position_m);
-  constexpr double kMinRange_m = 1e-3;  // a perfect estimate
+  constexpr double kMinRange = 1e-3;  // [m], a perfect estimate
   PlotAxes axes =
-      figure.CurveAxes(TimeRange(estimate), {0.0, std::max(1.15 * statistics.max, kMinRange_m)});
+      figure.CurveAxes(TimeRange(estimate), {0.0, std::max(1.15 * statistics.max, kMinRange)});
   axes.DrawFrame("Position error", "time [s]", "error [m]");
   std::vector<Stamp> stamps;
   Points points;
