@@ -191,6 +191,13 @@ TEST_F(TrackingNodeTest, ChainsMapOdomAndBaseAtTheImagesStamp) {
 
 TEST_F(TrackingNodeTest, LatchesTheKeyframeGraph) {
   const StateMsg state = Track(images_->front());
+  // State and graph come on two connections, in any order.
+  ASSERT_TRUE(SpinUntil(
+      [&] {
+        return keyframes_.last() && keyframes_.last()->map_id == state.map_id &&
+               !keyframes_.last()->keyframes.empty();
+      },
+      5.0));
   Listener<semantic_slam::KeyframeArray> late(nh_, "keyframes");
   ASSERT_TRUE(SpinUntil([&] { return late.last() && !late.last()->keyframes.empty(); }, 5.0));
   const auto& keyframes = late.last()->keyframes;
