@@ -3,7 +3,8 @@
 
 set(SEMANTIC_SLAM_CATKIN_COMPONENTS
   cv_bridge diagnostic_msgs diagnostic_updater geometry_msgs image_transport nav_msgs nodelet
-  pluginlib rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros)
+  pluginlib rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros
+  visualization_msgs)
 find_package(catkin REQUIRED COMPONENTS message_generation ${SEMANTIC_SLAM_CATKIN_COMPONENTS})
 
 file(GLOB message_files CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/msg msg/*.msg)
@@ -34,7 +35,9 @@ function(semantic_slam_ros_library)
   file(GLOB sources CONFIGURE_DEPENDS src/semantic_slam_ros/*.cpp)
   add_library(semantic_slam_ros STATIC ${sources})
   target_include_directories(semantic_slam_ros PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
-  target_link_libraries(semantic_slam_ros PUBLIC semantic_slam_localization)
+  foreach(room ${SEMANTIC_SLAM_ROOMS})
+    target_link_libraries(semantic_slam_ros PUBLIC semantic_slam_${room})
+  endforeach()
   semantic_slam_uses_ros(semantic_slam_ros)
 endfunction()
 
@@ -129,8 +132,12 @@ function(semantic_slam_ros_tests)
     endif()
     semantic_slam_compile_options(${target})
   endforeach()
-  # The same test of a node, started in another way.
-  add_rostest(test/ros/tracking_nodelet.test DEPENDENCIES tracking_node_test)
+  # The same tests of nodes, started in another way.
+  file(GLOB nodelet_tests RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} test/ros/*_nodelet.test)
+  foreach(nodelet_test ${nodelet_tests})
+    string(REGEX REPLACE "^test/ros/(.*)_nodelet.test$" "\\1_node_test" node_test ${nodelet_test})
+    add_rostest(${nodelet_test} DEPENDENCIES ${node_test})
+  endforeach()
   roslaunch_add_file_check(launch IGNORE_UNSET_ARGS)
 endfunction()
 

@@ -1,0 +1,39 @@
+#include "semantic_slam/detection/detections.h"
+
+#include <cmath>
+#include <string>
+
+#include "semantic_slam/common/error.h"
+
+namespace semantic_slam {
+namespace {
+
+bool IsUsable(const cv::Rect2f& box) {
+  return std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) &&
+         std::isfinite(box.height) && box.width > 0.0f && box.height > 0.0f;
+}
+
+}  // namespace
+
+void CheckDetections(const Detections& detections, const LabelVocabulary& vocabulary) {
+  if (detections.vocabulary_hash != vocabulary.hash()) {
+    throw InputError("detections: made with another label set, hash " +
+                     std::to_string(detections.vocabulary_hash) + ", expected " +
+                     std::to_string(vocabulary.hash()));
+  }
+  for (const DetectedBox& found : detections.boxes) {
+    if (!vocabulary.Contains(found.label)) {
+      throw InputError("detections: label id " + std::to_string(found.label) +
+                       " is not in the vocabulary");
+    }
+    if (!(found.confidence >= 0.0f && found.confidence <= 1.0f)) {
+      throw InputError("detections: confidence is " + std::to_string(found.confidence) +
+                       ", expected 0 to 1");
+    }
+    if (!IsUsable(found.box)) {
+      throw InputError("detections: a box is empty or not finite");
+    }
+  }
+}
+
+}  // namespace semantic_slam
