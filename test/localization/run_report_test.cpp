@@ -129,6 +129,17 @@ TEST_F(RunReportTest, TimingsAreInTheSummaryOnlyIfAskedFor) {
   EXPECT_EQ(Summary()["stages"]["tracking"]["count"], kTracked + 1);
 }
 
+TEST_F(RunReportTest, TellsOfTheStagesBehindTracking) {
+  Run();
+  facts_.stages["semantic"] = {{"images", 4}, {"voxels", 120}};
+  facts_.stage_timings = {{"semantic.cloud", 4, 1.5, 2.0}};
+  facts_.timings_in_summary = true;
+  Write(folder_.path());
+  EXPECT_EQ(Summary()["semantic"], nlohmann::json({{"images", 4}, {"voxels", 120}}));
+  EXPECT_EQ(Summary()["stages"]["semantic.cloud"]["count"], 4);
+  EXPECT_NE(Content(folder_ / "timing.csv").find("semantic.cloud,4,"), std::string::npos);
+}
+
 TEST_F(RunReportTest, ComparesWithTheGroundTruthIfThereIsOne) {
   Run();
   Write(folder_.path());

@@ -23,6 +23,13 @@ Json TimingsJson(const std::vector<StageTiming>& timings) {
   return json;
 }
 
+// Tracking's and those of the stages behind it.
+std::vector<StageTiming> AllTimings(const VisualLocalization& localization, const RunFacts& facts) {
+  std::vector<StageTiming> timings = localization.timings();
+  timings.insert(timings.end(), facts.stage_timings.begin(), facts.stage_timings.end());
+  return timings;
+}
+
 Json SummaryJson(const TrajectoryRecorder& recorder, const VisualLocalization& localization,
                  const KeyframeGraph& graph, const RunFacts& facts) {
   Json json;
@@ -37,7 +44,8 @@ Json SummaryJson(const TrajectoryRecorder& recorder, const VisualLocalization& l
   json["gravity"] = facts.gravity;
   json["dropped"] = Json::object();
   for (const auto& [cause, count] : facts.dropped) json["dropped"][cause] = count;
-  if (facts.timings_in_summary) json["stages"] = TimingsJson(localization.timings());
+  for (const auto& [stage, counts] : facts.stages) json[stage] = counts;
+  if (facts.timings_in_summary) json["stages"] = TimingsJson(AllTimings(localization, facts));
   return json;
 }
 
@@ -71,7 +79,7 @@ void WriteRunReport(const std::string& folder, const TrajectoryRecorder& recorde
   WriteTumTrajectory(recorder.live(), out / "trajectory_live.txt");
   WriteTumTrajectory(KeyframeTrajectory(graph), out / "keyframe_trajectory.txt");
   WriteFileAtomically(out / "timing.csv", [&](std::ostream& file) {
-    WriteTimingCsv(localization.timings(), file);
+    WriteTimingCsv(AllTimings(localization, facts), file);
   });
   Json summary = SummaryJson(recorder, localization, graph, facts);
   if (!corrected.empty()) Compare(ground_truth, corrected, summary, out / "trajectory.png");

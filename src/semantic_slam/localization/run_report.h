@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "semantic_slam/localization/trajectory_recorder.h"
 #include "semantic_slam/localization/visual_localization.h"
@@ -14,6 +15,9 @@ struct RunFacts {
   std::string source;   // what was played: a folder, a bag, topics
   std::string gravity;  // where "up" came from, see MapStart
   std::map<std::string, std::size_t> dropped;  // images that never reached tracking, by cause
+  // What the stages behind tracking count, by stage and thing, and how long they took.
+  std::map<std::string, std::map<std::string, std::size_t>> stages;
+  std::vector<StageTiming> stage_timings;
   // Durations go into timing.csv always. They differ from run to run, so summary.json holds them
   // only where it need not be reproducible.
   bool timings_in_summary = true;
