@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "semantic_slam/camera/camera_model.h"
 #include "semantic_slam/common/error.h"
 #include "testing/expect_error.h"
 
@@ -38,6 +39,17 @@ TEST(RgbdImageTest, NamesBothSizes) {
   EXPECT_EQ(ErrorOf(kColour, cv::Mat(240, 320, CV_32FC1)),
             "depth image is [320 x 240] but colour image is [640 x 480]; is depth registered to "
             "colour?");
+}
+
+TEST(RgbdImageTest, NamesACalibrationForAnotherSize) {
+  RgbdImage image;
+  image.colour = kColour;
+  image.depth_m = kDepth;
+  const CameraModel fitting({640, 480, 500.0, 500.0, 319.5, 239.5, {}});
+  const CameraModel other({320, 240, 250.0, 250.0, 159.5, 119.5, {}});
+  EXPECT_NO_THROW(CheckRgbdImage(image, fitting));
+  EXPECT_EQ(MessageOf<InputError>([&] { CheckRgbdImage(image, other); }),
+            "image is [640 x 480] but the camera's calibration is for [320 x 240]");
 }
 
 }  // namespace

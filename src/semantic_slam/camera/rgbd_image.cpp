@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "semantic_slam/camera/camera_model.h"
 #include "semantic_slam/common/error.h"
 
 namespace semantic_slam {
@@ -21,6 +22,15 @@ void CheckRgbdImage(const RgbdImage& image) {
   } else {
     return;
   }
+  throw InputError(what.str());
+}
+
+void CheckRgbdImage(const RgbdImage& image, const CameraModel& camera) {
+  CheckRgbdImage(image);
+  if (camera.Contains(image.colour)) return;
+  std::ostringstream what;
+  what << "image is " << image.colour.size() << " but the camera's calibration is for ["
+       << camera.width_px() << " x " << camera.height_px() << "]";
   throw InputError(what.str());
 }
 

@@ -6,6 +6,8 @@
 
 namespace semantic_slam {
 
+class CameraModel;
+
 enum class ColourOrder { kBgr, kRgb };
 
 // One colour image and the depth image registered to it, as the sensor delivered them: raw pixels,
@@ -21,5 +23,8 @@ struct RgbdImage {
 // Throws InputError, naming both sizes or the type, if the two images do not fit together or have
 // another type than stated above.
 void CheckRgbdImage(const RgbdImage& image);
+
+// The same, and throws InputError too if the images have another size than the camera's.
+void CheckRgbdImage(const RgbdImage& image, const CameraModel& camera);
 
 }  // namespace semantic_slam

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include <opencv2/imgproc.hpp>
 
-#include "semantic_slam/common/error.h"
 
 namespace semantic_slam {
 namespace {
@@ -18,15 +16,6 @@ cv::Mat ToGrey(const RgbdImage& image) {
   cv::cvtColor(image.colour, grey,
                image.order == ColourOrder::kBgr ? cv::COLOR_BGR2GRAY : cv::COLOR_RGB2GRAY);
   return grey;
-}
-
-void CheckFits(const RgbdImage& image, const CameraModel& camera) {
-  CheckRgbdImage(image);
-  if (camera.Contains(image.colour)) return;
-  std::ostringstream what;
-  what << "image is " << image.colour.size() << " but the camera's calibration is for ["
-       << camera.width_px() << " x " << camera.height_px() << "]";
-  throw InputError(what.str());
 }
 
 float DepthAt(const cv::Mat& depth_m, const Eigen::Vector2f& raw) {
@@ -49,7 +38,7 @@ std::array<std::uint8_t, 3> ColourAt(const RgbdImage& image, const Eigen::Vector
 FrameFeatures::FrameFeatures(const RgbdImage& image, const CameraModel& camera,
                              const OrbExtractor& extractor)
     : stamp_(image.stamp) {
-  CheckFits(image, camera);
+  CheckRgbdImage(image, camera);
   Keypoints extracted = extractor.Extract(ToGrey(image));
   descriptors_ = std::move(extracted.descriptors);
   features_.reserve(extracted.keypoints.size());
