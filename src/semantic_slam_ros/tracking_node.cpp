@@ -18,7 +18,6 @@ using diagnostic_msgs::DiagnosticStatus;
 using semantic_slam::InputError;
 using semantic_slam::TrackedImage;
 using semantic_slam::TrackingStatus;
-using semantic_slam::VisualLocalization;
 
 namespace {
 
@@ -96,24 +95,20 @@ TrackingNode::~TrackingNode() {
 void TrackingNode::Process(const RgbdMessages& messages) {
   const auto frame = stage_.Process(messages);
   if (!frame) return;
-  const auto localization = stage_.localization();
-  publisher_.Publish(*frame, *localization);
+  publisher_.Publish(*frame, *stage_.localization());
   ground_truth_.Publish(frame->tracked, frame->camera_frame);
   const std::chrono::duration<double, std::milli> latency =
       std::chrono::steady_clock::now() - messages.received;
-  ReportChange(Remember(*frame, latency.count(), localization), frame->tracked);
+  ReportChange(Remember(*frame, latency.count()), frame->tracked);
 }
 
-TrackingStatus TrackingNode::Remember(const TrackedFrame& frame, double latency_ms,
-                                      const std::shared_ptr<VisualLocalization>& localization) {
+TrackingStatus TrackingNode::Remember(const TrackedFrame& frame, double latency_ms) {
   std::lock_guard<std::mutex> lock(mutex_);
   const TrackingStatus before = health_.last.status;
   health_.last = frame.tracked;
   health_.latency.Add(latency_ms);
   health_.camera_frame = frame.camera_frame;
   if (options_.output_directory.empty()) return before;  // nothing is kept that nobody asked for
-  if (recorded_ != localization) recorder_ = semantic_slam::TrajectoryRecorder();
-  recorded_ = localization;
   recorder_.Add(frame.tracked);
   return before;
 }

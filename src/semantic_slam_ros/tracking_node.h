@@ -64,9 +64,7 @@ class TrackingNode {
 
   void Process(const RgbdMessages& messages);
   // Notes the image for /diagnostics and the report. Returns the status before it.
-  semantic_slam::TrackingStatus Remember(
-      const TrackedFrame& frame, double latency_ms,
-      const std::shared_ptr<semantic_slam::VisualLocalization>& localization);
+  semantic_slam::TrackingStatus Remember(const TrackedFrame& frame, double latency_ms);
   bool OnReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool OnSave(semantic_slam::SaveMap::Request& request, semantic_slam::SaveMap::Response& response);
@@ -89,8 +87,6 @@ class TrackingNode {
   mutable std::mutex mutex_;
   semantic_slam::TrajectoryRecorder recorder_;  // guarded by mutex_
   Health health_;                               // guarded by mutex_
-  // Whose images recorder_ holds. Used by the worker only.
-  std::shared_ptr<semantic_slam::VisualLocalization> recorded_;
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
   std::unique_ptr<semantic_slam::Worker<RgbdMessages>> worker_;

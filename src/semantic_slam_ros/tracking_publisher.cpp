@@ -108,10 +108,8 @@ void TrackingPublisher::PublishOdometry(const TrackedImage& tracked, const Rigid
 }
 
 void TrackingPublisher::PublishKeyframes(const VisualLocalization& localization) {
-  const std::uint64_t revision = localization.revision();
-  if (&localization == published_of_ && revision == published_revision_) return;
+  if (localization.revision() == published_revision_) return;
   const semantic_slam::KeyframeGraph graph = localization.keyframe_graph();
-  published_of_ = &localization;
   published_revision_ = graph.revision;
   keyframes_pub_.publish(ToKeyframeArray(graph, options_.map_frame));
 }

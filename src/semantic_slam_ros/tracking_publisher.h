@@ -88,8 +88,7 @@ class TrackingPublisher {
   Throttle path_throttle_;
   Throttle map_points_throttle_;
   std::optional<OdometryPose> last_odometry_;
-  const semantic_slam::VisualLocalization* published_of_ = nullptr;  // whose revision it was
-  std::uint64_t published_revision_ = 0;
+  std::optional<std::uint64_t> published_revision_;
 };
 
 }  // namespace semantic_slam_ros

@@ -61,19 +61,25 @@ void TrackingStage::FollowCalibration(const RgbdMessages& messages) {
            intrinsics_->fx_px, intrinsics_->fy_px, intrinsics_->cx_px, intrinsics_->cy_px,
            intrinsics_->distortion.size());
   camera_ = std::make_shared<const CameraModel>(*intrinsics_);
+  BeginMap(messages.timeline);
+  if (localization_ != nullptr) {
+    localization_->Reset(camera_);
+    return;
+  }
   auto localization = std::make_shared<VisualLocalization>(options_, camera_,
                                                            semantic_slam::MappingMode::kThreaded);
-  timeline_ = messages.timeline;
-  started_ = false;
-  start_pose_.Restart();
   std::lock_guard<std::mutex> lock(mutex_);
   localization_ = std::move(localization);
 }
 
 void TrackingStage::FollowTimeline(int timeline) {
   if (timeline == timeline_) return;
-  timeline_ = timeline;
+  BeginMap(timeline);
   localization_->Reset();
+}
+
+void TrackingStage::BeginMap(int timeline) {
+  timeline_ = timeline;
   started_ = false;
   start_pose_.Restart();
 }

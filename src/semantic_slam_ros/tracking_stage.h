@@ -26,7 +26,7 @@ struct TrackedFrame {
 };
 
 // VisualLocalization, and what it takes to keep it going on a live stream: it is made when the
-// calibration is known and again when that changes, starts with z up, and forgets the map when the
+// calibration is known, starts with z up, and forgets the map when the calibration changes or the
 // images begin a new timeline. Counts what it cannot use under bad_image, no_transform and
 // waiting_for_imu.
 class TrackingStage {
@@ -38,7 +38,7 @@ class TrackingStage {
   // nullopt if the images could not be used; they are counted then. For one thread.
   std::optional<TrackedFrame> Process(const RgbdMessages& messages);
 
-  // nullptr before the first image. From any thread.
+  // nullptr before the first image, and then the same for good. From any thread.
   std::shared_ptr<semantic_slam::VisualLocalization> localization() const;
 
   // What told which way is up when the current map began; empty before. From any thread.
@@ -47,6 +47,7 @@ class TrackingStage {
  private:
   void FollowCalibration(const RgbdMessages& messages);
   void FollowTimeline(int timeline);
+  void BeginMap(int timeline);
   bool Start(const semantic_slam::RgbdImage& image, const std::string& camera_frame,
              const semantic_slam::Rigid3d& T_base_camera);
 

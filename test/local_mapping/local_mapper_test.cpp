@@ -104,7 +104,7 @@ TEST_F(LocalMapperTest, DoesNothingForAKeyframeThatIsGone) {
 
 TEST_F(LocalMapperTest, WorksOnTheVeryFirstKeyframe) {
   map_->Clear();
-  mapper_->Reset();
+  mapper_->Reset(SmallCamera());
   const KeyframeId first = AddKeyframeWithPoints(*map_, RoomFrame(0), TruePose(0));
   const std::size_t points = map_->point_count();
   Process(first);
@@ -208,7 +208,7 @@ TEST_F(LocalMapperTest, FindsMorePointsInTheNewestKeyframe) {
 
 TEST_F(LocalMapperTest, NeverCullsTheFirstKeyframe) {
   map_->Clear();
-  mapper_->Reset();
+  mapper_->Reset(SmallCamera());
   const KeyframeId first = AddKeyframeWithPoints(*map_, RoomFrame(0), TruePose(0));
   KeyframeId newest = first;
   for (int i = 0; i < 6; ++i) newest = AddTheLastViewAgain();

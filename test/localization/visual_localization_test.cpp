@@ -176,6 +176,48 @@ TEST(VisualLocalizationTest, ResetStartsANewMapAndGoesOnWithTheIds) {
   }
 }
 
+// The middle of SmallCamera()'s picture: a camera with other bounds and another principal point.
+const cv::Rect kMiddle(40, 20, 240, 200);
+
+std::shared_ptr<const CameraModel> MiddleCamera() {
+  CameraIntrinsics intrinsics = SmallIntrinsics();
+  intrinsics.width_px = kMiddle.width;
+  intrinsics.height_px = kMiddle.height;
+  intrinsics.cx_px -= kMiddle.x;
+  intrinsics.cy_px -= kMiddle.y;
+  return std::make_shared<const CameraModel>(intrinsics);
+}
+
+RgbdImage MiddleImage(int i) {
+  RgbdImage image = SmallSequenceImage(i);
+  image.colour = image.colour(kMiddle).clone();
+  image.depth_m = image.depth_m(kMiddle).clone();
+  return image;
+}
+
+TEST(VisualLocalizationTest, AnotherCameraStartsANewMapAndGoesOnWithTheIds) {
+  for (const MappingMode mode : {MappingMode::kInline, MappingMode::kThreaded}) {
+    const auto localization = Start(mode);
+    for (int i = 0; i < 8; ++i) localization->Track(SmallSequenceImage(i));
+    localization->Finish();
+    const KeyframeGraph before = localization->keyframe_graph();
+    localization->Reset(MiddleCamera());
+    EXPECT_GT(localization->revision(), before.revision);
+    EXPECT_THROW(localization->Track(SmallSequenceImage(8)), InputError) << "of the camera before";
+
+    std::vector<TrackedImage> tracked;
+    for (int i = 0; i < kSmallSequenceImages; ++i) {
+      tracked.push_back(localization->Track(MiddleImage(i)));
+    }
+    // Poses that fit: features, tracking and local mapping all use the new principal point.
+    ExpectFollowsTheCamera(tracked);
+    EXPECT_EQ(tracked[0].map_id, before.map_id + 1);
+    EXPECT_EQ(tracked[0].keyframe_id, before.keyframes.back().id + 1);
+    localization->Finish();
+    EXPECT_GE(localization->keyframe_graph().keyframes.size(), 3u);
+  }
+}
+
 TEST(VisualLocalizationTest, RefusesAnImageThatIsNotLaterThanTheOneBefore) {
   const auto localization = Start(MappingMode::kInline);
   localization->Track(SmallSequenceImage(1));

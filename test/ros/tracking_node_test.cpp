@@ -253,6 +253,30 @@ TEST_F(TrackingNodeTest, KeepsItsCalibrationWhenABadOneComes) {
   Advance(10.0);
 }
 
+TEST_F(TrackingNodeTest, ANewCalibrationStartsANewMapAndGoesOnWithTheIds) {
+  const StateMsg before = TrackSequence(3).back();
+  ASSERT_TRUE(SpinUntil([&] { return keyframes_.last() != nullptr; }, kLimitS));
+  const std::uint64_t revision = keyframes_.last()->revision;
+  const cv::Rect middle(40, 20, 560, 440);  // what a driver's region of interest leaves
+  semantic_slam::CameraIntrinsics intrinsics = semantic_slam::Freiburg1Camera().intrinsics;
+  intrinsics.width_px = middle.width, intrinsics.height_px = middle.height;
+  intrinsics.cx_px -= middle.x, intrinsics.cy_px -= middle.y;
+  info_pub_.publish(ToCameraInfo(intrinsics, MakeHeader(Now(), kCameraFrame)));
+  StateMsg after;
+  for (int i = 3; i < 6; ++i) {
+    RgbdImage image = (*images_)[i];
+    image.colour = image.colour(middle).clone();
+    image.depth_m = image.depth_m(middle).clone();
+    after = Track(image);
+    EXPECT_EQ(after.state, StateMsg::STATE_TRACKING) << "image " << i;
+  }
+  EXPECT_GT(after.map_id, before.map_id);
+  EXPECT_GT(after.keyframe_id, before.keyframe_id) << "ids are never used again";
+  EXPECT_TRUE(SpinUntil([&] { return keyframes_.last()->map_id == after.map_id; }, kLimitS));
+  EXPECT_GT(keyframes_.last()->revision, revision);
+  Advance(10.0);
+}
+
 TEST_F(TrackingNodeTest, DropsAndCountsImagesOutOfOrder) {
   const StateMsg before = TrackSequence(3).back();
   const int count = WaitForDiagnostic("dropped: out_of_order", 0);

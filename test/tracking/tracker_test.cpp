@@ -232,7 +232,7 @@ TEST_F(TrackerTest, ResetStartsANewMap) {
   TrackRoom(6);
   const KeyframeId last = map_->keyframes().rbegin()->first;
   map_->Clear();
-  tracker_->Reset();
+  tracker_->Reset(SmallCamera());
   tracker_->SetStart(TruePose(6));
   EXPECT_EQ(Track(BlankFrame(5)).image.status, TrackingStatus::kInitializing);
   const TrackerResult first = Track(RoomFrame(6));

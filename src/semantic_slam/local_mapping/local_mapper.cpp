@@ -39,6 +39,11 @@ LocalMapper::LocalMapper(const LocalMapperOptions& options,
   Validate(options_);
 }
 
+void LocalMapper::Reset(std::shared_ptr<const CameraModel> camera) {
+  recent_points_.clear();
+  camera_ = std::move(camera);
+}
+
 void LocalMapper::Process(KeyframeId keyframe, StageTimer& timer) {
   Window window;
   {

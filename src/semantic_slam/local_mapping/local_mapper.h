@@ -51,8 +51,9 @@ class LocalMapper {
   // keyframe is gone. `timer` gets the stages' durations.
   void Process(KeyframeId keyframe, StageTimer& timer);
 
-  // Forgets what it remembers of the map: to be called with Map::Clear().
-  void Reset() { recent_points_.clear(); }
+  // Forgets what it remembers of the map: to be called with Map::Clear(). Keyframes to come are of
+  // `camera`.
+  void Reset(std::shared_ptr<const CameraModel> camera);
 
  private:
   struct Window {
@@ -71,7 +72,7 @@ class LocalMapper {
 
   const LocalMapperOptions options_;
   const ObservationNoise noise_;
-  const std::shared_ptr<const CameraModel> camera_;
+  std::shared_ptr<const CameraModel> camera_;
   Map& map_;
   // Points too young to be trusted, with the keyframe that made them.
   std::deque<std::pair<PointId, KeyframeId>> recent_points_;

@@ -67,15 +67,14 @@ class VisualLocalization::Implementation {
   }
 
   void Reset() {
-    std::lock_guard<std::mutex> tracking_lock(tracking_mutex_);
-    Finish();
-    {
-      std::lock_guard<std::mutex> lock(map_.mutex());
-      map_.Clear();
-    }
-    tracker_.Reset();
-    mapper_.Reset();
-    last_stamp_.reset();
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
+    Begin();
+  }
+
+  void Reset(std::shared_ptr<const CameraModel> camera) {
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
+    camera_ = std::move(camera);
+    Begin();
   }
 
   void Finish() {
@@ -112,6 +111,19 @@ class VisualLocalization::Implementation {
   std::vector<StageTiming> timings() const { return timer_.Timings(); }
 
  private:
+  // Begins an empty map of camera_'s images. The caller holds tracking_mutex_, so local mapping gets
+  // no work; when it has finished, it may be changed too.
+  void Begin() {
+    Finish();
+    {
+      std::lock_guard<std::mutex> lock(map_.mutex());
+      map_.Clear();
+    }
+    tracker_.Reset(camera_);
+    mapper_.Reset(camera_);
+    last_stamp_.reset();
+  }
+
   bool MappingHasRoom() const {
     std::lock_guard<std::mutex> lock(pending_mutex_);
     return pending_ < kMaxPendingKeyframes;
@@ -146,7 +158,7 @@ class VisualLocalization::Implementation {
     is_inlier_ = std::move(is_inlier);
   }
 
-  const std::shared_ptr<const CameraModel> camera_;
+  std::shared_ptr<const CameraModel> camera_;  // guarded by tracking_mutex_
   const OrbExtractor extractor_;
   StageTimer timer_;
   Map map_;
@@ -181,6 +193,9 @@ TrackedImage VisualLocalization::Track(const RgbdImage& image) {
   return implementation_->Track(image);
 }
 void VisualLocalization::Reset() { implementation_->Reset(); }
+void VisualLocalization::Reset(std::shared_ptr<const CameraModel> camera) {
+  implementation_->Reset(std::move(camera));
+}
 void VisualLocalization::Finish() { implementation_->Finish(); }
 std::uint64_t VisualLocalization::revision() const { return implementation_->revision(); }
 KeyframeGraph VisualLocalization::keyframe_graph() const {

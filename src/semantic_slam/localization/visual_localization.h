@@ -65,9 +65,12 @@ class VisualLocalization {
   // camera or its stamp is not later than that of the image before.
   TrackedImage Track(const RgbdImage& image);
 
-  // Forgets the map and starts a new one with the next image; map_id grows by one, keyframe ids go
-  // on. The way to go after a jump back in time.
+  // Forgets the map and starts a new one with the next image; map_id grows by one, keyframe ids and
+  // the revision go on. The way to go after a jump back in time.
   void Reset();
+
+  // The same, and from now on images are `camera`'s: the way to go after a change of calibration.
+  void Reset(std::shared_ptr<const CameraModel> camera);
 
   // Waits until local mapping has worked off what it was given.
   void Finish();

@@ -49,7 +49,8 @@ Tracker::Tracker(const TrackerOptions& options, std::shared_ptr<const CameraMode
   Validate(options_);
 }
 
-void Tracker::Reset() {
+void Tracker::Reset(std::shared_ptr<const CameraModel> camera) {
+  camera_ = std::move(camera);
   status_ = TrackingStatus::kInitializing;
   last_ = Frame();
   motion_.Reset();

@@ -71,8 +71,9 @@ class Tracker {
   // `keyframe_allowed`: whether local mapping can take a keyframe now.
   TrackerResult Track(std::shared_ptr<const FrameFeatures> features, bool keyframe_allowed);
 
-  // Forgets the last image, not the map: to be called with Map::Clear().
-  void Reset();
+  // Forgets the last image, not the map: to be called with Map::Clear(). Images to come are of
+  // `camera`.
+  void Reset(std::shared_ptr<const CameraModel> camera);
 
  private:
   // One image on its way through the stages.
@@ -103,7 +104,7 @@ class Tracker {
 
   const TrackerOptions options_;
   const ObservationNoise noise_;
-  const std::shared_ptr<const CameraModel> camera_;
+  std::shared_ptr<const CameraModel> camera_;
   Map& map_;
 
   Rigid3d T_map_start_ = Rigid3d::Identity();
