@@ -101,6 +101,14 @@ TEST_F(YamlOptionsTest, NamesAMissingFile) {
                     {folder_.path().c_str()});
 }
 
+TEST_F(YamlOptionsTest, RefusesAValueWhereItStands) {
+  const YamlReader reader(YAML::Load("width: 2\nanchors:\n- [1, 2]\n- [3]\n"), "demo.yaml", "head");
+  EXPECT_EQ(MessageOf<ConfigError>([&] { reader.Refuse("width", "even and large"); }),
+            "demo.yaml:1: head/width = 2, but must be even and large");
+  ExpectOneLineWith(MessageOf<ConfigError>([&] { reader.Refuse("anchors", "pairs"); }),
+                    {"demo.yaml:3: head/anchors = ", ", but must be pairs"});
+}
+
 TEST_F(YamlOptionsTest, NamesAMissingKey) {
   YamlReader reader(YAML::Load("{}"), "demo.yaml", "camera");
   EXPECT_EQ(MessageOf<ConfigError>([&] { reader.Require<int>("width_px"); }),

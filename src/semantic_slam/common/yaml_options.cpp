@@ -11,6 +11,13 @@ std::string At(const std::string& path, const YAML::Node& node) {
   return path + ":" + std::to_string(node.Mark().line + 1) + ": ";
 }
 
+std::string ValueText(const YAML::Node& node) {
+  if (node.IsScalar()) return node.Scalar();
+  YAML::Emitter one_line;
+  one_line << YAML::Flow << node;
+  return one_line.c_str();
+}
+
 std::string Joined(const std::set<std::string>& names) {
   std::string joined;
   for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
@@ -55,6 +62,12 @@ void YamlReader::Finish() const {
   }
 }
 
+void YamlReader::Refuse(const std::string& key, const std::string& expected) const {
+  const YAML::Node node = map_[key];
+  throw ConfigError(At(path_, node) + FullName(key) + " = " + ValueText(node) + ", but must be " +
+                    expected);
+}
+
 YAML::Node YamlReader::Child(const std::string& key) const {
   const YAML::Node node = map_[key];
   if (!node || node.IsNull()) return YAML::Node(YAML::NodeType::Map);
@@ -67,8 +80,8 @@ std::string YamlReader::FullName(const std::string& key) const {
 }
 
 void YamlReader::ThrowWrongType(const std::string& key, const YAML::Node& node) const {
-  const std::string value = node.IsScalar() ? node.Scalar() : YAML::Dump(node);
-  throw ConfigError(At(path_, node) + FullName(key) + " = " + value + " has the wrong type");
+  throw ConfigError(At(path_, node) + FullName(key) + " = " + ValueText(node) +
+                    " has the wrong type");
 }
 
 void YamlReader::ThrowMissing(const std::string& key) const {

@@ -63,6 +63,9 @@ class YamlReader {
     }
   }
 
+  // Throws ConfigError "FILE:LINE: KEY = VALUE, but must be EXPECTED". Precondition: Has(key).
+  [[noreturn]] void Refuse(const std::string& key, const std::string& expected) const;
+
   // The sub-mapping `key`; an empty one if absent. Throws ConfigError if it is not a mapping.
   YamlReader Group(const std::string& key);
 
