@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "semantic_slam/camera/level_frame.h"
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/localization/floor_plane.h"
 
@@ -18,15 +19,8 @@ Rigid3d StartPoseFromUp(const Eigen::Vector3d& up_camera) {
   if (!up_camera.allFinite() || up_camera.norm() < 1e-6) {
     throw InputError("the direction of gravity is not finite or has length zero");
   }
-  const Eigen::Vector3d up = up_camera.normalized();
-  // The view, or where it is vertical the image's upper edge, gives the map's x axis.
-  Eigen::Vector3d forward = Eigen::Vector3d::UnitZ() - up.z() * up;
-  if (forward.norm() < 1e-3) forward = -Eigen::Vector3d::UnitY() + up.y() * up;
-  forward.normalize();
   Rigid3d T_map_camera = Rigid3d::Identity();
-  T_map_camera.linear().row(0) = forward;
-  T_map_camera.linear().row(1) = up.cross(forward);
-  T_map_camera.linear().row(2) = up;
+  T_map_camera.linear() = LevelFromCamera(up_camera.normalized());
   return T_map_camera;
 }
 
