@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include <sensor_msgs/distortion_models.h>
@@ -18,6 +17,7 @@
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/dataset/image_decoding.h"
+#include "semantic_slam_ros/shared_pixels.h"
 
 namespace semantic_slam_ros {
 
@@ -32,39 +32,6 @@ namespace {
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr std::uint32_t kMaxSidePx = 16384;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
-// Lets a cv::Mat own a message: when the last Mat that looks at the pixels goes, so does its share
-// of the message.
-class MessageOwner : public cv::MatAllocator {
- public:
-  static cv::Mat Share(const sensor_msgs::ImageConstPtr& msg, int cv_type) {
-    static const MessageOwner owner;
-    // cv::Mat has no pointer to const; RgbdImage's contract is that nobody writes.
-    cv::Mat image(static_cast<int>(msg->height), static_cast<int>(msg->width), cv_type,
-                  const_cast<std::uint8_t*>(msg->data.data()), msg->step);
-    auto holder = std::make_unique<cv::UMatData>(&owner);
-    holder->data = holder->origdata = image.data;
-    holder->size = msg->data.size();
-    holder->refcount = 1;
-    holder->userdata = std::make_unique<sensor_msgs::ImageConstPtr>(msg).release();
-    image.u = holder.release();
-    return image;
-  }
-
-  cv::UMatData* allocate(int dims, const int* sizes, int type, void* data, std::size_t* step,
-                         cv::AccessFlag flags, cv::UMatUsageFlags usage) const override {
-    return cv::Mat::getStdAllocator()->allocate(dims, sizes, type, data, step, flags, usage);
-  }
-  bool allocate(cv::UMatData* data, cv::AccessFlag access,
-                cv::UMatUsageFlags usage) const override {
-    return cv::Mat::getStdAllocator()->allocate(data, access, usage);
-  }
-  void deallocate(cv::UMatData* data) const override {
-    const std::unique_ptr<cv::UMatData> holder(data);
-    const std::unique_ptr<sensor_msgs::ImageConstPtr> msg(
-        static_cast<sensor_msgs::ImageConstPtr*>(holder->userdata));
-  }
-};
 
 void CheckPixels(const sensor_msgs::Image& msg, int cv_type) {
   const std::string size = std::to_string(msg.width) + " x " + std::to_string(msg.height);
@@ -88,7 +55,8 @@ void CheckPixels(const sensor_msgs::Image& msg, int cv_type) {
 
 cv::Mat Share(const sensor_msgs::ImageConstPtr& msg, int cv_type) {
   CheckPixels(*msg, cv_type);
-  return MessageOwner::Share(msg, cv_type);
+  return SharePixels(msg, msg->data.data(), static_cast<int>(msg->height),
+                     static_cast<int>(msg->width), cv_type, msg->step);
 }
 
 ColourImage Converted(const cv::Mat& image, cv::ColorConversionCodes code) {

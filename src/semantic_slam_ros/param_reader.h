@@ -65,4 +65,25 @@ class ParamReader {
   std::set<std::string> known_;  // full names
 };
 
+// All parameters of a node. `Parameters` is a struct of options structs that lists them, with their
+// groups ("" for none), for a visitor that is called once per struct:
+//
+//   template <typename Self, typename Visitor>
+//   static void VisitGroups(Self& self, Visitor&& visit) {
+//     visit("", self.node);
+//     visit("features", self.features);
+//   }
+//
+// Throws ConfigError naming a parameter that is unknown, out of range or of another type.
+template <typename Parameters>
+Parameters ReadParameters(const ros::NodeHandle& private_nh) {
+  Parameters parameters;
+  ParamReader reader(private_nh);
+  Parameters::VisitGroups(parameters, [&reader](const std::string& group, auto& options) {
+    reader.ReadGroup(group, options);
+  });
+  reader.Finish();
+  return parameters;
+}
+
 }  // namespace semantic_slam_ros

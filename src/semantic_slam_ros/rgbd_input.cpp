@@ -7,26 +7,18 @@
 
 #include "semantic_slam/camera/camera_config.h"
 #include "semantic_slam/common/error.h"
+#include "semantic_slam_ros/image_subscription.h"
 #include "semantic_slam_ros/topics.h"
 
 namespace semantic_slam_ros {
 
 using semantic_slam::CameraIntrinsics;
-using semantic_slam::ConfigError;
 using semantic_slam::InputError;
 using semantic_slam::RgbdImage;
 
 namespace {
 
-constexpr int kQueueSize = 10;  // per topic, for bursts; the callbacks take no time
-
-// Whether the images come compressed. Throws ConfigError if `transport` is neither.
-bool IsCompressed(const char* parameter, const std::string& transport, const char* compressed) {
-  if (transport == compressed) return true;
-  if (transport == "raw") return false;
-  throw ConfigError("~" + std::string(parameter) + " = " + transport + ", but must be raw or " +
-                    compressed);
-}
+constexpr int kInfoQueueSize = 10;
 
 }  // namespace
 
@@ -42,23 +34,14 @@ RgbdInput::RgbdInput(ros::NodeHandle nh, const RgbdInputOptions& options,
                      const semantic_slam::ImagePairerOptions& pairer_options, DropCounter& drops,
                      PairCallback on_pair)
     : drops_(drops), on_pair_(std::move(on_pair)), pairer_(pairer_options) {
-  using sensor_msgs::CompressedImage;
-  using sensor_msgs::Image;
-  const std::string colour = topics::kColour, depth = topics::kDepth;
-  if (IsCompressed("image_transport", options.image_transport, "compressed")) {
-    colour_sub_ = nh.subscribe(colour + "/compressed", kQueueSize,
-                               &RgbdInput::OnColour<CompressedImage>, this);
-  } else {
-    colour_sub_ = nh.subscribe(colour, kQueueSize, &RgbdInput::OnColour<Image>, this);
-  }
-  if (IsCompressed("depth_image_transport", options.depth_image_transport, "compressedDepth")) {
-    depth_sub_ = nh.subscribe(depth + "/compressedDepth", kQueueSize,
-                              &RgbdInput::OnDepth<CompressedImage>, this);
-  } else {
-    depth_sub_ = nh.subscribe(depth, kQueueSize, &RgbdInput::OnDepth<Image>, this);
-  }
+  colour_sub_ = SubscribeToImages(
+      nh, topics::kColour, kColourTransport, options.image_transport,
+      [this](const ImageMessage& image, const auto& header) { OnColour(image, header); });
+  depth_sub_ = SubscribeToImages(
+      nh, topics::kDepth, kDepthTransport, options.depth_image_transport,
+      [this](const ImageMessage& image, const auto& header) { OnDepth(image, header); });
   if (options.camera_config.empty()) {
-    info_sub_ = nh.subscribe(topics::kCameraInfo, kQueueSize, &RgbdInput::OnCameraInfo, this);
+    info_sub_ = nh.subscribe(topics::kCameraInfo, kInfoQueueSize, &RgbdInput::OnCameraInfo, this);
   } else {
     const auto config = semantic_slam::LoadCameraConfig(options.camera_config);
     intrinsics_ = std::make_shared<const CameraIntrinsics>(config.intrinsics);
@@ -66,17 +49,15 @@ RgbdInput::RgbdInput(ros::NodeHandle nh, const RgbdInputOptions& options,
   }
 }
 
-template <typename Message>
-void RgbdInput::OnColour(const boost::shared_ptr<const Message>& msg) {
-  if (paused_ || !IsUsable(msg->header, "colour image")) return;
-  HandOut(pairer_.AddColour(ToStamp(msg->header.stamp),
-                            {msg, FrameName(msg->header.frame_id), Clock::now()}));
+void RgbdInput::OnColour(const ImageMessage& image, const std_msgs::Header& header) {
+  if (paused_ || !IsUsable(header, "colour image")) return;
+  HandOut(pairer_.AddColour(ToStamp(header.stamp),
+                            {image, FrameName(header.frame_id), Clock::now()}));
 }
 
-template <typename Message>
-void RgbdInput::OnDepth(const boost::shared_ptr<const Message>& msg) {
-  if (paused_ || !IsUsable(msg->header, "depth image")) return;
-  HandOut(pairer_.AddDepth(ToStamp(msg->header.stamp), {msg, "", Clock::now()}));
+void RgbdInput::OnDepth(const ImageMessage& image, const std_msgs::Header& header) {
+  if (paused_ || !IsUsable(header, "depth image")) return;
+  HandOut(pairer_.AddDepth(ToStamp(header.stamp), {image, "", Clock::now()}));
 }
 
 void RgbdInput::OnCameraInfo(const sensor_msgs::CameraInfoConstPtr& msg) {
@@ -90,10 +71,7 @@ void RgbdInput::OnCameraInfo(const sensor_msgs::CameraInfoConstPtr& msg) {
 }
 
 bool RgbdInput::IsUsable(const std_msgs::Header& header, const char* what) {
-  if (header.stamp.isZero()) {
-    drops_.Add("bad_stamp", std::string(what) + " has no stamp");
-    return false;
-  }
+  if (!HasStamp(header, what, drops_)) return false;
   if (intrinsics_ == nullptr) {
     drops_.Add("no_camera_info", std::string(what) + " came, but no usable camera_info before it");
     return false;

@@ -7,8 +7,6 @@
 
 #include <ros/node_handle.h>
 #include <sensor_msgs/CameraInfo.h>
-#include <sensor_msgs/CompressedImage.h>
-#include <sensor_msgs/Image.h>
 
 #include "semantic_slam/camera/camera_model.h"
 #include "semantic_slam/camera/rgbd_image.h"
@@ -75,10 +73,8 @@ class RgbdInput {
   };
   using Pairer = semantic_slam::ImagePairer<Arrival>;
 
-  template <typename Message>
-  void OnColour(const boost::shared_ptr<const Message>& msg);
-  template <typename Message>
-  void OnDepth(const boost::shared_ptr<const Message>& msg);
+  void OnColour(const ImageMessage& image, const std_msgs::Header& header);
+  void OnDepth(const ImageMessage& image, const std_msgs::Header& header);
   void OnCameraInfo(const sensor_msgs::CameraInfoConstPtr& msg);
   bool IsUsable(const std_msgs::Header& header, const char* what);
   void HandOut(Pairer::Result result);

@@ -5,14 +5,14 @@
 
 namespace semantic_slam_ros::topics {
 
-// In
+// From the sensors
 constexpr char kColour[] = "rgb/image_raw";  // + "/compressed" with ~image_transport
 constexpr char kDepth[] = "depth_registered/image_raw";  // + "/compressedDepth" likewise
 constexpr char kCameraInfo[] = "rgb/camera_info";
 constexpr char kImu[] = "imu";
 constexpr char kGroundTruthTf[] = "tf_ground_truth";
 
-// Out
+// From tracking
 constexpr char kOdometry[] = "odometry";
 constexpr char kPath[] = "path";
 constexpr char kMapPoints[] = "map_points";
@@ -21,9 +21,33 @@ constexpr char kKeyframes[] = "keyframes";
 constexpr char kDebugImage[] = "debug_image";
 constexpr char kGroundTruthPath[] = "ground_truth_path";
 
+// From the 3D branch
+constexpr char kLabels[] = "labels";
+constexpr char kSemanticImage[] = "semantic_image";
+constexpr char kSemanticOverlay[] = "semantic_overlay";
+constexpr char kSemanticCloud[] = "semantic_cloud";
+constexpr char kOccupiedCells[] = "occupied_cells";
+constexpr char kOccupiedCellsMarkers[] = "occupied_cells_vis_array";
+constexpr char kLegend[] = "legend";
+
+// From the 2.5D branch
+constexpr char kDetections[] = "detections";
+constexpr char kDetectionOverlay[] = "detection_overlay";
+constexpr char kTrackedObjects[] = "tracked_objects";
+constexpr char kObjects[] = "objects";
+constexpr char kObjectMarkers[] = "object_markers";
+constexpr char kScan[] = "scan";
+constexpr char kMap[] = "map";
+constexpr char kMapMetadata[] = "map_metadata";
+constexpr char kSemanticGrid[] = "semantic_grid";
+constexpr char kSemanticMap[] = "semantic_map";
+constexpr char kSemanticGridImage[] = "semantic_grid_image";
+
 // Services; private to their node
 constexpr char kReset[] = "reset";
 constexpr char kPause[] = "pause";
 constexpr char kSaveTrajectory[] = "save_trajectory";
+constexpr char kSaveMap[] = "save_map";
+constexpr char kQuery[] = "query";
 
 }  // namespace semantic_slam_ros::topics

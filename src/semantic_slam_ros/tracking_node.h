@@ -1,22 +1,20 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
-#include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
-#include <semantic_slam/SaveMap.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include "semantic_slam/common/duration_histogram.h"
-#include "semantic_slam/common/worker.h"
 #include "semantic_slam/localization/trajectory_recorder.h"
 #include "semantic_slam_ros/drop_counter.h"
 #include "semantic_slam_ros/ground_truth.h"
+#include "semantic_slam_ros/map_saver.h"
+#include "semantic_slam_ros/node_health.h"
 #include "semantic_slam_ros/rgbd_input.h"
+#include "semantic_slam_ros/stage_worker.h"
 #include "semantic_slam_ros/tracking_publisher.h"
 #include "semantic_slam_ros/tracking_stage.h"
 
@@ -42,10 +40,16 @@ struct TrackingNodeParameters {
   TrackingPublisherOptions publisher;
   semantic_slam::ImagePairerOptions pairer;
   semantic_slam::LocalizationOptions localization;
-};
 
-// Throws ConfigError naming a parameter that is unknown, out of range or of another type.
-TrackingNodeParameters ReadTrackingNodeParameters(const ros::NodeHandle& private_nh);
+  template <typename Self, typename Visitor>
+  static void VisitGroups(Self& self, Visitor&& visit) {
+    visit("", self.node);
+    visit("", self.input);
+    visit("", self.publisher);
+    visit("pairer", self.pairer);
+    semantic_slam::LocalizationOptions::VisitGroups(self.localization, visit);
+  }
+};
 
 // Wires VisualLocalization to topics; docs/ros_api.md lists them. Callbacks only sort pointers;
 // decoding, tracking and publishing happen on one thread of its own behind a bounded queue, local
@@ -64,20 +68,11 @@ class TrackingNode {
 
   void Process(const RgbdMessages& messages);
   // Notes the image for /diagnostics and the report. Returns the status before it.
-  semantic_slam::TrackingStatus Remember(const TrackedFrame& frame, double latency_ms);
+  semantic_slam::TrackingStatus Remember(const TrackedFrame& frame);
   bool OnReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
-  bool OnSave(semantic_slam::SaveMap::Request& request, semantic_slam::SaveMap::Response& response);
-  void Save(const std::string& folder);
-  std::map<std::string, std::size_t> Drops() const;
-  void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
-
-  // How tracking went lately, for /diagnostics.
-  struct Health {
-    semantic_slam::TrackedImage last;
-    semantic_slam::DurationHistogram latency;
-    std::string camera_frame;
-  };
+  std::string Save(const std::string& folder);
+  void Diagnose(NodeHealth::Status& status);
 
   const TrackingNodeOptions options_;
   DropCounter drops_;
@@ -86,14 +81,14 @@ class TrackingNode {
   GroundTruth ground_truth_;
   mutable std::mutex mutex_;
   semantic_slam::TrajectoryRecorder recorder_;  // guarded by mutex_
-  Health health_;                               // guarded by mutex_
-  diagnostic_updater::Updater diagnostics_;
-  ros::WallTimer diagnostics_timer_;
-  std::unique_ptr<semantic_slam::Worker<RgbdMessages>> worker_;
+  semantic_slam::TrackedImage last_;            // guarded by mutex_
+  std::string camera_frame_;                    // guarded by mutex_
+  NodeHealth health_;
+  MapSaver saver_;
+  std::unique_ptr<StageWorker<RgbdMessages>> worker_;
   std::unique_ptr<RgbdInput> input_;  // after the worker it feeds
   ros::ServiceServer reset_service_;
   ros::ServiceServer pause_service_;
-  ros::ServiceServer save_service_;
 };
 
 }  // namespace semantic_slam_ros

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include "semantic_slam_ros/param_reader.h"
 #include "semantic_slam_ros/tracking_node.h"
 
 namespace semantic_slam_ros {
@@ -70,7 +71,7 @@ TEST(NodeParametersTest, NamesAMissingCalibrationFile) {
 // node_parameters.test loads config/tracking.yaml into ~documented.
 TEST(NodeParametersTest, FileRepeatsTheDefaults) {
   const TrackingNodeParameters defaults;
-  const TrackingNodeParameters read = ReadTrackingNodeParameters(ros::NodeHandle("~documented"));
+  const TrackingNodeParameters read = ReadParameters<TrackingNodeParameters>(ros::NodeHandle("~documented"));
   const auto expect_equal = [](const auto& expected, const auto& actual) {
     using Options = std::decay_t<decltype(expected)>;
     std::vector<std::string> expected_values, actual_values;
