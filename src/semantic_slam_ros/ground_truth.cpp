@@ -8,7 +8,7 @@
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam_ros/conversions.h"
-#include "semantic_slam_ros/message_conversions.h"
+#include "semantic_slam_ros/tracking_conversions.h"
 #include "semantic_slam_ros/topics.h"
 
 namespace semantic_slam_ros {

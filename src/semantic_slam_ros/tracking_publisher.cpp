@@ -10,7 +10,7 @@
 
 #include "semantic_slam_ros/conversions.h"
 #include "semantic_slam_ros/feature_drawing.h"
-#include "semantic_slam_ros/message_conversions.h"
+#include "semantic_slam_ros/tracking_conversions.h"
 #include "semantic_slam_ros/topics.h"
 
 namespace semantic_slam_ros {
@@ -39,12 +39,6 @@ geometry_msgs::Twist MeanTwist(const Rigid3d& T_odom_before, const Rigid3d& T_od
 }
 
 }  // namespace
-
-bool TrackingPublisher::Throttle::IsDue(Stamp stamp) {
-  if (last_ && stamp >= *last_ && SecondsBetween(*last_, stamp) < period_s_) return false;
-  last_ = stamp;
-  return true;
-}
 
 TrackingPublisher::TrackingPublisher(ros::NodeHandle nh, const TrackingPublisherOptions& options)
     : options_(options),

@@ -8,6 +8,7 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/transform_broadcaster.h>
 
+#include "semantic_slam/common/throttle.h"
 #include "semantic_slam/localization/visual_localization.h"
 #include "semantic_slam_ros/path_history.h"
 #include "semantic_slam_ros/tracking_stage.h"
@@ -47,16 +48,6 @@ class TrackingPublisher {
                const semantic_slam::VisualLocalization& localization);
 
  private:
-  // True once per period of stamps, and when they have jumped back.
-  class Throttle {
-   public:
-    explicit Throttle(double period_s) : period_s_(period_s) {}
-    bool IsDue(semantic_slam::Stamp stamp);
-
-   private:
-    const double period_s_;
-    std::optional<semantic_slam::Stamp> last_;
-  };
   struct OdometryPose {
     semantic_slam::Stamp stamp;
     semantic_slam::Rigid3d T_odom_base;
@@ -85,8 +76,8 @@ class TrackingPublisher {
   ros::Publisher map_points_pub_;
   image_transport::Publisher debug_image_pub_;
   PathHistory path_;
-  Throttle path_throttle_;
-  Throttle map_points_throttle_;
+  semantic_slam::Throttle path_throttle_;
+  semantic_slam::Throttle map_points_throttle_;
   std::optional<OdometryPose> last_odometry_;
   std::optional<std::uint64_t> published_revision_;
 };

@@ -1,4 +1,4 @@
-#include "semantic_slam_ros/message_conversions.h"
+#include "semantic_slam_ros/tracking_conversions.h"
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
@@ -16,7 +16,7 @@ Rigid3d SomePose() {
          Eigen::AngleAxisd(0.5, Eigen::Vector3d(1.0, 2.0, 2.0).normalized());
 }
 
-TEST(MessageConversionsTest, TrackingStateKeepsEveryField) {
+TEST(TrackingConversionsTest, TrackingStateKeepsEveryField) {
   semantic_slam::TrackedImage image;
   image.stamp = Stamp{1305031453359684001};
   image.status = semantic_slam::TrackingStatus::kTracking;
@@ -42,7 +42,7 @@ TEST(MessageConversionsTest, TrackingStateKeepsEveryField) {
   EXPECT_TRUE(ToRigid(msg.T_odom_camera).isApprox(image.T_odom_camera, 1e-12));
 }
 
-TEST(MessageConversionsTest, KeyframeArrayIsTheWholeGraph) {
+TEST(TrackingConversionsTest, KeyframeArrayIsTheWholeGraph) {
   semantic_slam::KeyframeGraph graph;
   graph.map_id = 1;
   graph.revision = 17;
@@ -62,11 +62,11 @@ TEST(MessageConversionsTest, KeyframeArrayIsTheWholeGraph) {
   EXPECT_TRUE(ToRigid(msg.keyframes[1].T_parent_keyframe).isApprox(SomePose(), 1e-12));
 }
 
-TEST(MessageConversionsTest, EmptyGraphIsAnEmptyArray) {
+TEST(TrackingConversionsTest, EmptyGraphIsAnEmptyArray) {
   EXPECT_TRUE(ToKeyframeArray(semantic_slam::KeyframeGraph(), "map").keyframes.empty());
 }
 
-TEST(MessageConversionsTest, PathHasAStampedPosePerPose) {
+TEST(TrackingConversionsTest, PathHasAStampedPosePerPose) {
   const nav_msgs::Path msg = ToPath({{Stamp{5}, SomePose()}, {Stamp{9}, SomePose()}}, "map");
   EXPECT_EQ(ToStamp(msg.header.stamp), Stamp{9});
   ASSERT_EQ(msg.poses.size(), 2u);
@@ -74,7 +74,7 @@ TEST(MessageConversionsTest, PathHasAStampedPosePerPose) {
   EXPECT_EQ(msg.poses[0].header.frame_id, "map");
 }
 
-TEST(MessageConversionsTest, CloudHasPositionsAndColours) {
+TEST(TrackingConversionsTest, CloudHasPositionsAndColours) {
   const sensor_msgs::PointCloud2 msg =
       ToPointCloud2({{{1.0f, 2.0f, 3.0f}, {10, 20, 30}}}, MakeHeader(Stamp{1}, "map"));
   ASSERT_EQ(msg.width * msg.height, 1u);

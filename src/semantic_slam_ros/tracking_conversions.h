@@ -13,17 +13,25 @@
 #include "semantic_slam/evaluation/trajectory.h"
 #include "semantic_slam/map/map.h"
 
-// The core's results as this package's messages. Frames are given without leading slash.
+// What tracking tells as messages, and back. Frames are given without leading slash. What reads a
+// message throws semantic_slam::InputError with one line that names the fault if it is malformed.
 
 namespace semantic_slam_ros {
 
 semantic_slam::TrackingState ToTrackingState(const semantic_slam::TrackedImage& image,
                                              const std::string& map_frame,
                                              const std::string& camera_frame);
+// Refuses an unstamped message, an unknown state, and with STATE_TRACKING poses that are no
+// transforms or no keyframe. Without STATE_TRACKING the poses are identity, whatever the message
+// says.
+semantic_slam::TrackedImage ToTrackedImage(const semantic_slam::TrackingState& msg);
 
 // Stamped with the newest keyframe; zero if there is none.
 semantic_slam::KeyframeArray ToKeyframeArray(const semantic_slam::KeyframeGraph& graph,
                                              const std::string& map_frame);
+// Refuses an unknown reason, ids that do not ascend, parents that are not listed, and poses that
+// are no transforms.
+semantic_slam::KeyframeGraph ToKeyframeGraph(const semantic_slam::KeyframeArray& msg);
 
 // Stamped with the last pose. Precondition: not empty.
 nav_msgs::Path ToPath(const semantic_slam::Trajectory& trajectory, const std::string& frame);

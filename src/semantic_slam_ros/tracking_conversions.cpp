@@ -1,14 +1,19 @@
-#include "semantic_slam_ros/message_conversions.h"
+#include "semantic_slam_ros/tracking_conversions.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 
 #include <sensor_msgs/point_cloud2_iterator.h>
 
+#include "semantic_slam/common/error.h"
 #include "semantic_slam_ros/conversions.h"
 
 namespace semantic_slam_ros {
 
+using semantic_slam::InputError;
+using semantic_slam::KeyframeNode;
 using semantic_slam::RevisionReason;
 using semantic_slam::TrackingStatus;
 using KeyframeMsg = semantic_slam::KeyframePose;
@@ -32,7 +37,7 @@ static_assert(KeyframeMsg::NO_PARENT == semantic_slam::kNoKeyframe);
 
 namespace {
 
-KeyframeMsg ToKeyframe(const semantic_slam::KeyframeNode& node) {
+KeyframeMsg ToKeyframe(const KeyframeNode& node) {
   KeyframeMsg msg;
   msg.id = node.id;
   msg.stamp = ToRos(node.stamp);
@@ -41,6 +46,53 @@ KeyframeMsg ToKeyframe(const semantic_slam::KeyframeNode& node) {
   msg.T_parent_keyframe = ToPose(node.T_parent_keyframe);
   msg.culled = node.culled;
   return msg;
+}
+
+KeyframeNode ToKeyframeNode(const KeyframeMsg& msg) try {
+  KeyframeNode node;
+  node.id = msg.id;
+  node.stamp = ToStamp(msg.stamp);
+  node.T_map_keyframe = ToRigid(msg.T_map_keyframe);
+  node.parent_id = msg.parent_id;
+  node.T_parent_keyframe = ToRigid(msg.T_parent_keyframe);
+  node.culled = msg.culled;
+  return node;
+} catch (const InputError& e) {
+  throw InputError("keyframes: keyframe " + std::to_string(msg.id) + ": " + e.what());
+}
+
+bool Lists(const std::vector<KeyframeNode>& keyframes, semantic_slam::KeyframeId id) {
+  const auto at = std::lower_bound(
+      keyframes.begin(), keyframes.end(), id,
+      [](const KeyframeNode& node, semantic_slam::KeyframeId wanted) { return node.id < wanted; });
+  return at != keyframes.end() && at->id == id;
+}
+
+void CheckKeyframes(const std::vector<KeyframeNode>& keyframes) {
+  semantic_slam::KeyframeId last = semantic_slam::kNoKeyframe;
+  for (const KeyframeNode& node : keyframes) {
+    if (node.id <= last) {
+      throw InputError("keyframes: keyframe " + std::to_string(node.id) + " follows " +
+                       std::to_string(last) + ", expected ascending ids");
+    }
+    last = node.id;
+  }
+  for (const KeyframeNode& node : keyframes) {
+    if (node.parent_id == semantic_slam::kNoKeyframe) continue;
+    if (node.parent_id != node.id && Lists(keyframes, node.parent_id)) continue;
+    throw InputError("keyframes: parent of keyframe " + std::to_string(node.id) + " is " +
+                     std::to_string(node.parent_id) + ", which is not listed");
+  }
+}
+
+void ReadPoses(const TrackingStateMsg& msg, semantic_slam::TrackedImage& image) {
+  if (msg.keyframe_id < 0) {
+    throw InputError("keyframe_id is " + std::to_string(msg.keyframe_id) + " while tracking");
+  }
+  image.keyframe_id = msg.keyframe_id;
+  image.T_keyframe_camera = ToRigid(msg.T_keyframe_camera);
+  image.T_map_camera = ToRigid(msg.T_map_camera);
+  image.T_odom_camera = ToRigid(msg.T_odom_camera);
 }
 
 }  // namespace
@@ -61,6 +113,24 @@ TrackingStateMsg ToTrackingState(const semantic_slam::TrackedImage& image,
   return msg;
 }
 
+semantic_slam::TrackedImage ToTrackedImage(const TrackingStateMsg& msg) try {
+  if (msg.header.stamp.isZero()) throw InputError("has no stamp");
+  if (msg.state > TrackingStateMsg::STATE_LOST) {
+    throw InputError("state is " + std::to_string(msg.state) + ", expected 0 to 2");
+  }
+  semantic_slam::TrackedImage image;
+  image.stamp = ToStamp(msg.header.stamp);
+  image.status = static_cast<TrackingStatus>(msg.state);
+  image.map_id = msg.map_id;
+  image.is_keyframe = msg.is_keyframe;
+  constexpr std::uint32_t kMaxInt = std::numeric_limits<int>::max();
+  image.inliers = static_cast<int>(std::min(msg.inliers, kMaxInt));
+  if (image.status == TrackingStatus::kTracking) ReadPoses(msg, image);
+  return image;
+} catch (const InputError& e) {
+  throw InputError(std::string("tracking_state: ") + e.what());
+}
+
 KeyframeArrayMsg ToKeyframeArray(const semantic_slam::KeyframeGraph& graph,
                                  const std::string& map_frame) {
   KeyframeArrayMsg msg;
@@ -75,6 +145,22 @@ KeyframeArrayMsg ToKeyframeArray(const semantic_slam::KeyframeGraph& graph,
   msg.keyframes.reserve(graph.keyframes.size());
   for (const auto& node : graph.keyframes) msg.keyframes.push_back(ToKeyframe(node));
   return msg;
+}
+
+semantic_slam::KeyframeGraph ToKeyframeGraph(const KeyframeArrayMsg& msg) {
+  if (msg.reason > KeyframeArrayMsg::REASON_RESET) {
+    throw InputError("keyframes: reason is " + std::to_string(msg.reason) + ", expected 0 to 4");
+  }
+  semantic_slam::KeyframeGraph graph;
+  graph.map_id = msg.map_id;
+  graph.revision = msg.revision;
+  graph.reason = static_cast<RevisionReason>(msg.reason);
+  graph.keyframes.reserve(msg.keyframes.size());
+  for (const KeyframeMsg& keyframe : msg.keyframes) {
+    graph.keyframes.push_back(ToKeyframeNode(keyframe));
+  }
+  CheckKeyframes(graph.keyframes);
+  return graph;
 }
 
 nav_msgs::Path ToPath(const semantic_slam::Trajectory& trajectory, const std::string& frame) {
