@@ -91,12 +91,5 @@ TEST(BoxFilterTest, TheCovarianceStaysPositive) {
   EXPECT_GT(solver.eigenvalues().minCoeff(), 0.0);
 }
 
-TEST(IntersectionOverUnionTest, KnownBoxes) {
-  EXPECT_DOUBLE_EQ(IntersectionOverUnion(kBox, kBox), 1.0);
-  EXPECT_DOUBLE_EQ(IntersectionOverUnion({0, 0, 2, 2}, {1, 0, 2, 2}), 1.0 / 3.0);
-  EXPECT_DOUBLE_EQ(IntersectionOverUnion({0, 0, 2, 2}, {2, 0, 2, 2}), 0.0);
-  EXPECT_DOUBLE_EQ(IntersectionOverUnion({0, 0, 0, 0}, {0, 0, 0, 0}), 0.0);
-}
-
 }  // namespace
 }  // namespace semantic_slam

@@ -1,20 +1,11 @@
 #include "semantic_slam/detection/detections.h"
 
-#include <cmath>
 #include <string>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/detection/box_geometry.h"
 
 namespace semantic_slam {
-namespace {
-
-bool IsUsable(const cv::Rect2f& box) {
-  return std::isfinite(box.x) && std::isfinite(box.y) && std::isfinite(box.width) &&
-         std::isfinite(box.height) && box.width > 0.0f && box.height > 0.0f;
-}
-
-}  // namespace
-
 void CheckDetections(const Detections& detections, const LabelVocabulary& vocabulary) {
   if (detections.vocabulary_hash != vocabulary.hash()) {
     throw InputError("detections: made with another label set, hash " +

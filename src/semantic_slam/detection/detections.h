@@ -25,8 +25,8 @@ struct Detections {
   std::vector<DetectedBox> boxes;  // by descending confidence
 };
 
-// Throws InputError, naming what is wrong, if the hash is not the vocabulary's, a label id is not in
-// it, or a confidence or box is not finite or out of range. Boxes may reach beyond the image.
+// Throws InputError, naming what is wrong, if the hash is not the vocabulary's, a label id is not
+// in it, or a confidence or box is not finite or out of range. Boxes may reach beyond the image.
 void CheckDetections(const Detections& detections, const LabelVocabulary& vocabulary);
 
 }  // namespace semantic_slam

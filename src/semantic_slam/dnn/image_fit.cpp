@@ -11,8 +11,10 @@ ImageFit::ImageFit(cv::Size image, cv::Size input, FitMode mode) : content_({0, 
   if (mode == FitMode::kLetterbox) {
     const double scale = std::min(static_cast<double>(input.width) / image.width,
                                   static_cast<double>(input.height) / image.height);
-    const int width = std::clamp(static_cast<int>(std::lround(image.width * scale)), 1, input.width);
-    const int height = std::clamp(static_cast<int>(std::lround(image.height * scale)), 1, input.height);
+    const int width =
+        std::clamp(static_cast<int>(std::lround(image.width * scale)), 1, input.width);
+    const int height =
+        std::clamp(static_cast<int>(std::lround(image.height * scale)), 1, input.height);
     content_ = {(input.width - width) / 2, (input.height - height) / 2, width, height};
   }
   scale_x_ = static_cast<float>(image.width) / static_cast<float>(content_.width);

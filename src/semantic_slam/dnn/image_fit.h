@@ -9,8 +9,8 @@ enum class FitMode {
   kStretch,    // each side scaled by itself
 };
 
-// Where the pixels of an image lie in a network's input. Coordinates are those of pixel centres: (0, 0)
-// is the centre of the top left pixel, in the image and in the input.
+// Where the pixels of an image lie in a network's input. Coordinates are those of pixel centres:
+// (0, 0) is the centre of the top left pixel, in the image and in the input.
 class ImageFit {
  public:
   // Precondition: both sizes are positive.

@@ -62,10 +62,4 @@ cv::Rect2f BoxFilter::box() const {
           static_cast<float>(w), static_cast<float>(h)};
 }
 
-double IntersectionOverUnion(const cv::Rect2f& a, const cv::Rect2f& b) {
-  const cv::Rect2d wide_a(a), wide_b(b);
-  const double both = (wide_a & wide_b).area();
-  return both > 0.0 ? both / (wide_a.area() + wide_b.area() - both) : 0.0;
-}
-
 }  // namespace semantic_slam

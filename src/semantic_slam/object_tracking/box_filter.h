@@ -54,7 +54,4 @@ class BoxFilter {
   Covariance covariance_ = Covariance::Zero();
 };
 
-// Share of the union of two boxes that both cover, 0..1.
-double IntersectionOverUnion(const cv::Rect2f& a, const cv::Rect2f& b);
-
 }  // namespace semantic_slam

@@ -8,6 +8,7 @@
 #include "semantic_slam/common/assignment.h"
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/options.h"
+#include "semantic_slam/detection/box_geometry.h"
 
 namespace semantic_slam {
 namespace {

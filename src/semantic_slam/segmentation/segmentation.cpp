@@ -9,9 +9,9 @@ namespace {
 
 void CheckPlane(const cv::Mat& plane, const cv::Size& size, const char* what, int index) {
   if (plane.type() == CV_8UC1 && plane.size() == size) return;
-  throw InputError("segmentation: " + std::string(what) + " plane " + std::to_string(index) + " is " +
-                   cv::typeToString(plane.type()) + " of " + std::to_string(plane.cols) + " x " +
-                   std::to_string(plane.rows) + " px, expected CV_8UC1 of " +
+  throw InputError("segmentation: " + std::string(what) + " plane " + std::to_string(index) +
+                   " is " + cv::typeToString(plane.type()) + " of " + std::to_string(plane.cols) +
+                   " x " + std::to_string(plane.rows) + " px, expected CV_8UC1 of " +
                    std::to_string(size.width) + " x " + std::to_string(size.height));
 }
 

@@ -25,7 +25,9 @@ struct Segmentation {
 };
 
 // A probability as one byte, as the messages carry it: floor(255 p).
-inline std::uint8_t ToByte(float probability) { return static_cast<std::uint8_t>(255.0f * probability); }
+inline std::uint8_t ToByte(float probability) {
+  return static_cast<std::uint8_t>(255.0f * probability);
+}
 
 // Throws InputError, naming what is wrong, if the planes are empty, differ in size or type, if the
 // hash is not the vocabulary's or a label id is not in it.
