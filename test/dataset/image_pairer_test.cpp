@@ -140,19 +140,78 @@ TEST(ImagePairerTest, LeavesOutWhatComesTwiceOrLate) {
   EXPECT_EQ(pairer.counts().out_of_order, 2u);
 }
 
-TEST(ImagePairerTest, ForgetsAndSaysSoWhenTimeJumpsBack) {
+// A pairer in the middle of a recording: both streams are at 10 s, and a colour image waits.
+Pairer TenSecondsIn() {
   Pairer pairer;
   pairer.AddColour(Ms(10'000), 1);
-  const auto jump = pairer.AddDepth(Ms(10'000), 1);
-  EXPECT_FALSE(jump.jumped_back);
+  pairer.AddDepth(Ms(10'000), 1);
   pairer.AddColour(Ms(10'033), 2);
-  EXPECT_TRUE(pairer.AddColour(Ms(0), 3).jumped_back);
-  const auto again = pairer.AddDepth(Ms(0), 3);
-  EXPECT_FALSE(again.jumped_back);
-  ASSERT_EQ(again.pairs.size(), 1u);
-  EXPECT_EQ(again.pairs[0].colour, 3);
+  return pairer;
+}
+
+TEST(ImagePairerTest, ForgetsAndSaysSoWhenTimeJumpsBack) {
+  Pairer pairer = TenSecondsIn();
+  for (const int ms : {0, 33}) {
+    EXPECT_FALSE(pairer.AddColour(Ms(ms), ms).jumped_back);
+    EXPECT_FALSE(pairer.AddDepth(Ms(ms), ms).jumped_back);
+  }
+  const auto jump = pairer.AddColour(Ms(66), 66);
+  EXPECT_TRUE(jump.jumped_back);
+  // Nothing of the new recording is lost, not even what came before the jump was certain.
+  ASSERT_EQ(jump.pairs.size(), 2u);
+  EXPECT_EQ(jump.pairs[0].stamp, Ms(0));
+  EXPECT_EQ(jump.pairs[1].stamp, Ms(33));
+  const auto next = pairer.AddDepth(Ms(66), 66);
+  EXPECT_FALSE(next.jumped_back) << "both streams jumped, but it is one jump";
+  ASSERT_EQ(next.pairs.size(), 1u);
+  EXPECT_EQ(next.pairs[0].colour, 66);
   EXPECT_EQ(pairer.counts().jumps_back, 1u);
   EXPECT_EQ(pairer.counts().unpaired_colour, 1u);
+  EXPECT_EQ(pairer.counts().out_of_order, 0u);
+}
+
+TEST(ImagePairerTest, StrayImagesAreNoJumpBack) {
+  Pairer pairer = TenSecondsIn();
+  pairer.AddColour(Ms(0), 0);
+  pairer.AddColour(Ms(33), 0);
+  // Two in a row, and the stream goes on as before: colour at 10.033 s is still waiting.
+  ASSERT_EQ(pairer.AddDepth(Ms(10'033), 2).pairs.size(), 1u);
+  EXPECT_FALSE(pairer.AddColour(Ms(10'066), 3).jumped_back);
+  EXPECT_EQ(pairer.counts().out_of_order, 2u);
+  EXPECT_FALSE(pairer.AddColour(Ms(66), 0).jumped_back) << "the third, but not in a row";
+  ASSERT_EQ(pairer.AddDepth(Ms(10'066), 3).pairs.size(), 1u);
+}
+
+TEST(ImagePairerTest, OldImagesInNoOrderAreNoJumpBack) {
+  Pairer pairer = TenSecondsIn();
+  for (const int ms : {5000, 4000, 3000, 3000, 2000, 1000, 1033}) {
+    EXPECT_FALSE(pairer.AddColour(Ms(ms), 0).jumped_back) << ms;
+  }
+  EXPECT_TRUE(pairer.AddColour(Ms(1066), 0).jumped_back);
+  EXPECT_EQ(pairer.counts().out_of_order, 5u);
+}
+
+TEST(ImagePairerTest, EachStreamMustShowTheJumpByItself) {
+  Pairer pairer = TenSecondsIn();
+  for (const int ms : {0, 33}) {
+    EXPECT_FALSE(pairer.AddColour(Ms(ms), ms).jumped_back);
+    EXPECT_FALSE(pairer.AddDepth(Ms(ms), ms).jumped_back);
+  }
+  ASSERT_EQ(pairer.AddDepth(Ms(10'033), 2).pairs.size(), 1u) << "four strays, two of each stream";
+  pairer.Flush();
+  EXPECT_EQ(pairer.counts().out_of_order, 4u);
+  EXPECT_EQ(pairer.counts().jumps_back, 0u);
+}
+
+TEST(ImagePairerTest, AJumpBackKeepsToTheCapacity) {
+  ImagePairerOptions options;
+  options.capacity = 1;
+  ImagePairer<std::shared_ptr<int>> pairer(options);
+  const auto image = std::make_shared<int>(0);
+  for (const int ms : {10'000, 0, 33, 66}) pairer.AddColour(Ms(ms), image);
+  EXPECT_EQ(pairer.counts().jumps_back, 1u);
+  EXPECT_EQ(image.use_count(), 1 + 1);
+  EXPECT_EQ(pairer.counts().unpaired_colour, 3u);
 }
 
 TEST(ImagePairerTest, RefusesOptionsOutOfRange) {

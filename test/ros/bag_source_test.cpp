@@ -232,13 +232,15 @@ TEST_F(BagSourceTest, RefusesImagesThatNeverPair) {
 TEST_F(BagSourceTest, RefusesStampsThatJumpBack) {
   BagSource source(Bag([](rosbag::Bag& bag) {
     AddPair(bag, 50);
-    const auto msg = ToImage(Colour(0), enc::BGR8, MakeHeader(Ms(0), kOptical));
-    bag.write(kColourTopic, ToRos(Ms(9000)), *msg);
+    for (const int ms : {0, 33, 66}) {
+      const auto msg = ToImage(Colour(0), enc::BGR8, MakeHeader(Ms(ms), kOptical));
+      bag.write(kColourTopic, ToRos(Ms(9000 + ms)), *msg);
+    }
   }));
   ExpectOneLineWith(MessageOf<InputError>([&] {
                       while (source.Next()) continue;
                     }),
-                    {"jump back to 1000.000000"});
+                    {"jump back to 1000.066000"});
 }
 
 TEST_F(BagSourceTest, ReadsTheCalibrationAndNamesOneOfZeros) {

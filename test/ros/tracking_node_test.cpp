@@ -289,10 +289,23 @@ TEST_F(TrackingNodeTest, DropsAndCountsImagesOutOfOrder) {
 TEST_F(TrackingNodeTest, StartsANewMapWhenTimeJumpsBack) {
   const StateMsg before = TrackSequence(3).back();
   Advance(-60.0);
-  const StateMsg after = Track(images_->front());
+  Send((*images_)[0]);
+  Send((*images_)[1]);
+  const StateMsg after = Track((*images_)[2]);
   EXPECT_EQ(after.state, StateMsg::STATE_TRACKING);
   EXPECT_GT(after.map_id, before.map_id);
   EXPECT_GT(after.keyframe_id, before.keyframe_id) << "ids are never used again";
+  Advance(10.0);
+}
+
+TEST_F(TrackingNodeTest, KeepsItsMapWhenAStrayImageComes) {
+  const StateMsg before = TrackSequence(3).back();
+  const int count = WaitForDiagnostic("dropped: out_of_order", 0);
+  Advance(-60.0);
+  Send((*images_)[1]);
+  Advance(60.0);
+  EXPECT_EQ(Track((*images_)[3]).map_id, before.map_id);
+  EXPECT_GE(WaitForDiagnostic("dropped: out_of_order", count + 2), count + 2) << "colour and depth";
   Advance(10.0);
 }
 
@@ -313,6 +326,10 @@ TEST_F(TrackingNodeTest, PausesAndGoesOn) {
 
 TEST_F(TrackingNodeTest, RefusesToSaveWhatItDidNotRecord) {
   semantic_slam::SaveMap save;
+  ASSERT_TRUE(ros::service::call("tracking/save_trajectory", save));
+  EXPECT_FALSE(save.response.success);
+  EXPECT_EQ(save.response.message, "path is empty, and the node has no ~output_directory");
+  save.request.path = "/tmp/unused";
   ASSERT_TRUE(ros::service::call("tracking/save_trajectory", save));
   EXPECT_FALSE(save.response.success);
   EXPECT_EQ(save.response.message, "nothing was recorded: start the node with ~output_directory");

@@ -90,15 +90,17 @@ class ImagePairer {
 
   struct Result {
     std::vector<Pair> pairs;  // those that became certain: none or one as a rule
-    // The stamp was over a second before its stream's newest: the recording started again. All that
-    // was waiting is forgotten, and whoever keeps state downstream must start again too.
+    // The stream's last three images, in order among themselves, are all over a second older than
+    // one before them: the recording started again. What was waiting is forgotten, these three are
+    // not, and whoever keeps state downstream must start again before it takes the pairs.
     bool jumped_back = false;
   };
 
   struct Counts {
     std::size_t unpaired_colour = 0;
     std::size_t unpaired_depth = 0;
-    std::size_t out_of_order = 0;  // not later than the image before of the same stream; left out
+    // Not later than the image before of the same stream, and no jump back: left out.
+    std::size_t out_of_order = 0;
     std::size_t jumps_back = 0;
   };
 
@@ -111,7 +113,11 @@ class ImagePairer {
   Result AddDepth(Stamp stamp, Payload image) { return Add(depth_, stamp, std::move(image)); }
 
   // At the end of the streams: the pairs among the images that still wait for certainty.
-  std::vector<Pair> Flush() { return TakeDecided(internal::kEndOfTime, internal::kEndOfTime); }
+  std::vector<Pair> Flush() {
+    LeaveOut(colour_.early);
+    LeaveOut(depth_.early);
+    return TakeDecided(internal::kEndOfTime, internal::kEndOfTime);
+  }
 
   const Counts& counts() const { return counts_; }
 
@@ -123,27 +129,58 @@ class ImagePairer {
   struct Stream {
     std::deque<Image> waiting;  // by ascending stamp
     std::optional<Stamp> newest;
+    std::deque<Image> early;  // the last images, if far older than newest; by ascending stamp
   };
 
   static constexpr double kJumpBackS = 1.0;
+  static constexpr std::size_t kJumpBackImages = 3;
 
   Result Add(Stream& stream, Stamp stamp, Payload image) {
     Result result;
     if (stream.newest && SecondsBetween(stamp, *stream.newest) > kJumpBackS) {
-      result.jumped_back = true;
-      ++counts_.jumps_back;
-      Forget();
+      result.jumped_back = IsJumpBack(stream, {stamp, std::move(image)});
+      if (!result.jumped_back) return result;
+    } else {
+      LeaveOut(stream.early);
+      if (stream.newest && stamp <= *stream.newest) {
+        ++counts_.out_of_order;
+        return result;
+      }
+      Append(stream, {stamp, std::move(image)});
     }
-    if (stream.newest && stamp <= *stream.newest) {
-      ++counts_.out_of_order;
-      return result;
-    }
-    stream.newest = stamp;
-    stream.waiting.push_back({stamp, std::move(image)});
     result.pairs = TakeDecided(EarliestNext(colour_), EarliestNext(depth_));
     DropOverflow(colour_, counts_.unpaired_colour);
     DropOverflow(depth_, counts_.unpaired_depth);
     return result;
+  }
+
+  static void Append(Stream& stream, Image image) {
+    stream.newest = image.stamp;
+    stream.waiting.push_back(std::move(image));
+  }
+
+  // Keeps an image that is far older than its stream's newest. Once enough of them say the same,
+  // both streams begin again with what was kept.
+  bool IsJumpBack(Stream& stream, Image image) {
+    if (!stream.early.empty() && image.stamp <= stream.early.back().stamp) LeaveOut(stream.early);
+    stream.early.push_back(std::move(image));
+    if (stream.early.size() < kJumpBackImages) return false;
+    ++counts_.jumps_back;
+    BeginAgain(colour_, counts_.unpaired_colour);
+    BeginAgain(depth_, counts_.unpaired_depth);
+    return true;
+  }
+
+  static void BeginAgain(Stream& stream, std::size_t& unpaired) {
+    unpaired += stream.waiting.size();
+    std::deque<Image> beginning = std::move(stream.early);
+    stream = Stream();
+    for (Image& image : beginning) Append(stream, std::move(image));
+  }
+
+  void LeaveOut(std::deque<Image>& images) {
+    counts_.out_of_order += images.size();
+    images.clear();
   }
 
   std::vector<Pair> TakeDecided(Stamp next_colour, Stamp next_depth) {
@@ -184,16 +221,10 @@ class ImagePairer {
   }
 
   void DropOverflow(Stream& stream, std::size_t& unpaired) {
-    if (stream.waiting.size() <= static_cast<std::size_t>(options_.capacity)) return;
-    stream.waiting.pop_front();
-    ++unpaired;
-  }
-
-  void Forget() {
-    counts_.unpaired_colour += colour_.waiting.size();
-    counts_.unpaired_depth += depth_.waiting.size();
-    colour_ = Stream();
-    depth_ = Stream();
+    while (stream.waiting.size() > static_cast<std::size_t>(options_.capacity)) {
+      stream.waiting.pop_front();
+      ++unpaired;
+    }
   }
 
   Stamp EarliestNext(const Stream& stream) const {
