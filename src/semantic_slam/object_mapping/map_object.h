@@ -8,17 +8,11 @@
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/common/stamp.h"
 #include "semantic_slam/common/transform.h"
+#include "semantic_slam/plane_projection/hollowness.h"
 
 namespace semantic_slam {
 
 using ObjectId = std::int64_t;
-
-// Whether there is room below an object's top.
-enum class Hollowness : std::uint8_t {
-  kNo = 0,      // solid from bottom to top
-  kPartly = 1,  // open in parts
-  kFull = 2,    // open below its top: a table
-};
 
 struct LabelProbability {
   LabelId label = kUnknownLabel;
