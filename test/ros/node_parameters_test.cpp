@@ -1,11 +1,17 @@
-// What a node says and returns when its parameters are wrong.
+// The parameters of every node: config/ repeats their defaults, docs/ros_api.md lists them all, and
+// a wrong one stops the node with a line that names it.
+//
+// To add a node X_node: give its parameters a VisitGroups() (param_reader.h), add a struct like
+// those below to `Nodes`, and a <rosparam> line to node_parameters.test.
 
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -17,108 +23,194 @@
 namespace semantic_slam_ros {
 namespace {
 
+// kName_node is the program, config/kName.yaml its file, "## kName_node" its section in the docs.
+struct Tracking {
+  static constexpr char kName[] = "tracking";
+  using Parameters = TrackingNodeParameters;
+};
+
+using Nodes = testing::Types<Tracking>;
+
 struct Outcome {
   int status;
   std::string output;
 };
 
-Outcome RunTracking(const std::string& arguments) {
-  const std::string command = std::string(SEMANTIC_SLAM_PROGRAM_DIR) + "/tracking_node " +
-                              "__name:=tracking_under_test " + arguments + " 2>&1";
+Outcome RunProgram(const std::string& node, const std::string& arguments) {
+  const std::string command = std::string(SEMANTIC_SLAM_PROGRAM_DIR) + "/" + node + "_node " +
+                              "__name:=" + node + "_under_test " + arguments + " 2>&1";
   FILE* pipe = ::popen(command.c_str(), "r");
   Outcome outcome;
   std::array<char, 256> buffer;
   while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) outcome.output += buffer.data();
   outcome.status = WEXITSTATUS(::pclose(pipe));
+  ros::param::del("/" + node + "_under_test");
   return outcome;
 }
 
-void ExpectFatal(const std::string& arguments, const std::string& why) {
-  const Outcome outcome = RunTracking(arguments);
+void ExpectFatal(const std::string& node, const std::string& arguments, const std::string& why) {
+  const Outcome outcome = RunProgram(node, arguments);
   EXPECT_EQ(outcome.status, 1) << outcome.output;
   EXPECT_NE(outcome.output.find("FATAL"), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find(why), std::string::npos) << outcome.output;
 }
 
-TEST(NodeParametersTest, RefusesAnUnknownOne) {
-  ExpectFatal("_tracking/max_featurs:=10",
+TEST(TrackingParametersTest, RefusesAnUnknownOneInAGroup) {
+  ExpectFatal("tracking", "_tracking/max_featurs:=10",
               "unknown parameter /tracking_under_test/tracking/max_featurs");
-  ros::param::del("/tracking_under_test");
 }
 
-TEST(NodeParametersTest, RefusesOneOutOfRange) {
-  ExpectFatal("_features/pyramid_levels:=0",
+TEST(TrackingParametersTest, RefusesOneOutOfRange) {
+  ExpectFatal("tracking", "_features/pyramid_levels:=0",
               "/tracking_under_test/features/pyramid_levels = 0, but must be in [1, 12]");
-  ros::param::del("/tracking_under_test");
 }
 
-TEST(NodeParametersTest, RefusesAPeriodOfDiagnosticsOutOfRange) {
-  ExpectFatal("_diagnostic_period:=0.0",
+TEST(TrackingParametersTest, RefusesAPeriodOfDiagnosticsOutOfRange) {
+  ExpectFatal("tracking", "_diagnostic_period:=0.0",
               "/tracking_under_test/diagnostic_period = 0, but must be in [0.1, 60]");
-  ros::param::del("/tracking_under_test");
 }
 
-TEST(NodeParametersTest, RefusesAnotherType) {
-  ExpectFatal("_queue_size:=many", "/tracking_under_test/queue_size = many, but must be");
-  ros::param::del("/tracking_under_test");
+TEST(TrackingParametersTest, RefusesAnotherType) {
+  ExpectFatal("tracking", "_queue_size:=many",
+              "/tracking_under_test/queue_size = many, but must be");
 }
 
-TEST(NodeParametersTest, NamesAMissingCalibrationFile) {
-  ExpectFatal("_camera_config:=/nowhere/camera.yaml", "/nowhere/camera.yaml");
-  ros::param::del("/tracking_under_test");
+TEST(TrackingParametersTest, NamesAMissingCalibrationFile) {
+  ExpectFatal("tracking", "_camera_config:=/nowhere/camera.yaml", "/nowhere/camera.yaml");
 }
 
-// node_parameters.test loads config/tracking.yaml into ~documented.
-TEST(NodeParametersTest, FileRepeatsTheDefaults) {
-  const TrackingNodeParameters defaults;
-  const TrackingNodeParameters read = ReadParameters<TrackingNodeParameters>(ros::NodeHandle("~documented"));
-  const auto expect_equal = [](const auto& expected, const auto& actual) {
-    using Options = std::decay_t<decltype(expected)>;
-    std::vector<std::string> expected_values, actual_values;
-    const auto into = [](std::vector<std::string>& values) {
-      return [&values](const char* name, const auto& value, const auto&...) {
-        std::ostringstream text;
-        text << name << " = " << value;
-        values.push_back(text.str());
-      };
-    };
-    Options::Visit(expected, into(expected_values));
-    Options::Visit(actual, into(actual_values));
-    EXPECT_EQ(expected_values, actual_values);
-  };
-  expect_equal(defaults.publisher, read.publisher);
-  expect_equal(defaults.pairer, read.pairer);
-  expect_equal(defaults.node, read.node);
-  expect_equal(defaults.localization.features, read.localization.features);
-  expect_equal(defaults.localization.tracking, read.localization.tracking);
-  expect_equal(defaults.localization.local_mapping, read.localization.local_mapping);
-}
-
-TEST(NodeParametersTest, DocumentationListsEachWithItsDefault) {
-  std::ifstream file(SEMANTIC_SLAM_SOURCE_DIR "/docs/ros_api.md");
-  const std::string documentation((std::istreambuf_iterator<char>(file)), {});
-  const auto expect_listed = [&](const std::string& group, const auto& options) {
+// Calls visit(full name, value, range...) for every option of a node.
+template <typename Parameters, typename Visitor>
+void VisitOptions(const Parameters& parameters, Visitor&& visit) {
+  Parameters::VisitGroups(parameters, [&](const std::string& group, const auto& options) {
     using Options = std::decay_t<decltype(options)>;
-    Options::Visit(options, [&](const char* name, const auto& value, const auto&...) {
-      std::ostringstream row;
-      row << std::boolalpha << "| `~" << group << name << "` | ";
-      const std::size_t at = documentation.find(row.str());
-      ASSERT_NE(at, std::string::npos) << row.str();
-      std::ostringstream text;
-      text << std::boolalpha << value;
-      const std::string line = documentation.substr(at, documentation.find('\n', at) - at);
-      const std::string expected = text.str().empty() ? "(empty)" : text.str();
-      EXPECT_NE(line.find(" | " + expected), std::string::npos) << line << ": not " << expected;
+    const std::string prefix = group.empty() ? "" : group + "/";
+    Options::Visit(options, [&](const char* name, const auto& value, const auto&... range) {
+      visit(prefix + name, value, range...);
     });
-  };
-  TrackingNodeParameters defaults;
-  expect_listed("", defaults.node);
-  expect_listed("", defaults.input);
-  expect_listed("", defaults.publisher);
-  expect_listed("pairer/", defaults.pairer);
-  semantic_slam::LocalizationOptions::VisitGroups(
-      defaults.localization,
-      [&](const std::string& name, const auto& group) { expect_listed(name + "/", group); });
+  });
+}
+
+template <typename Parameters>
+std::vector<std::string> Listed(const Parameters& parameters) {
+  std::vector<std::string> lines;
+  VisitOptions(parameters, [&](const std::string& name, const auto& value, const auto&...) {
+    std::ostringstream line;
+    line << name << " = " << value;
+    lines.push_back(line.str());
+  });
+  return lines;
+}
+
+// A row of a table of parameters in docs/ros_api.md.
+struct Row {
+  std::string type;
+  std::string default_value;
+  std::string range;
+};
+
+std::string Trimmed(const std::string& text) {
+  const std::size_t start = text.find_first_not_of(' ');
+  return start == std::string::npos ? ""
+                                    : text.substr(start, text.find_last_not_of(' ') - start + 1);
+}
+
+// The parameters in the section of a node, by name without "~".
+std::map<std::string, Row> DocumentedParameters(const std::string& node) {
+  std::ifstream file(SEMANTIC_SLAM_SOURCE_DIR "/docs/ros_api.md");
+  std::map<std::string, Row> rows;
+  bool in_section = false, in_parameters = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.compare(0, 3, "## ") == 0) in_section = line == "## " + node + "_node";
+    if (line.compare(0, 2, "##") == 0) in_parameters = in_section && line == "### Parameters";
+    if (!in_parameters || line.compare(0, 4, "| `~") != 0) continue;
+    std::istringstream cells(line);
+    std::string cell, name;
+    Row row;
+    std::getline(cells, cell, '|');
+    std::getline(cells, name, '|');
+    for (std::string* into : {&row.type, &row.default_value, &row.range}) {
+      std::getline(cells, cell, '|');
+      *into = Trimmed(cell);
+    }
+    name = Trimmed(name);
+    rows[name.substr(2, name.size() - 3)] = row;
+  }
+  return rows;
+}
+
+const char* TypeName(bool) {
+  return "bool";
+}
+const char* TypeName(int) {
+  return "int";
+}
+const char* TypeName(double) {
+  return "double";
+}
+const char* TypeName(const std::string&) {
+  return "string";
+}
+
+void ExpectText(const std::string& text, bool value) {
+  EXPECT_EQ(text, value ? "true" : "false");
+}
+void ExpectText(const std::string& text, const std::string& value) {
+  EXPECT_EQ(text, value.empty() ? "(empty)" : value);
+}
+template <typename Number>
+void ExpectText(const std::string& text, Number value) {
+  std::istringstream stream(text);
+  double number = 0.0;
+  EXPECT_TRUE(stream >> number) << "'" << text << "' is no number";
+  EXPECT_EQ(number, static_cast<double>(value));
+}
+
+void ExpectRange(const std::string& text) {
+  EXPECT_EQ(text, "");
+}
+// The name of another option will do for a limit.
+template <typename Number>
+void ExpectRange(const std::string& text, Number low, Number high) {
+  const std::size_t to = text.find(" to ");
+  ASSERT_NE(to, std::string::npos) << "range is '" << text << "'";
+  const std::string low_text = text.substr(0, to), high_text = text.substr(to + 4);
+  if (std::isalpha(low_text[0]) == 0) ExpectText(low_text, low);
+  if (std::isalpha(high_text[0]) == 0) ExpectText(high_text, high);
+}
+
+template <typename Node>
+class NodeParametersTest : public testing::Test {};
+TYPED_TEST_SUITE(NodeParametersTest, Nodes);
+
+TYPED_TEST(NodeParametersTest, AnUnknownOneStopsTheNode) {
+  const std::string node = TypeParam::kName;
+  ExpectFatal(node, "_no_such_parameter:=1",
+              "unknown parameter /" + node + "_under_test/no_such_parameter");
+}
+
+TYPED_TEST(NodeParametersTest, FileRepeatsTheDefaults) {
+  using Parameters = typename TypeParam::Parameters;
+  const ros::NodeHandle file("~documented/" + std::string(TypeParam::kName));
+  ASSERT_TRUE(ros::param::has(file.getNamespace()))
+      << "node_parameters.test does not load the file";
+  EXPECT_EQ(Listed(ReadParameters<Parameters>(file)), Listed(Parameters()));
+}
+
+TYPED_TEST(NodeParametersTest, DocumentationListsEachWithTypeDefaultAndRange) {
+  std::map<std::string, Row> rows = DocumentedParameters(TypeParam::kName);
+  VisitOptions(typename TypeParam::Parameters(),
+               [&](const std::string& name, const auto& value, const auto&... range) {
+                 SCOPED_TRACE("~" + name);
+                 ASSERT_EQ(rows.count(name), 1u) << "not in docs/ros_api.md";
+                 EXPECT_EQ(rows[name].type, TypeName(value));
+                 ExpectText(rows[name].default_value, value);
+                 ExpectRange(rows[name].range, range...);
+                 rows.erase(name);
+               });
+  EXPECT_EQ(rows.count("diagnostic_period"), 1u);
+  rows.erase("diagnostic_period");
+  for (const auto& [name, row] : rows) ADD_FAILURE() << "docs/ros_api.md lists ~" << name;
 }
 
 }  // namespace
