@@ -10,7 +10,9 @@
 namespace semantic_slam_ros {
 namespace {
 
-constexpr double kJumpBackS = 1.0;  // as for pairs of images: less is disorder, not a new recording
+// As for pairs of images: less is disorder, and a single image says nothing.
+constexpr double kJumpBackS = 1.0;
+constexpr int kJumpBackImages = 3;
 
 }  // namespace
 
@@ -25,6 +27,7 @@ ColourInput::ColourInput(ros::NodeHandle nh, const ColourInputOptions& options, 
 void ColourInput::StartOver() {
   ++timeline_;
   newest_.reset();
+  early_.reset();
 }
 
 void ColourInput::OnColour(const ImageMessage& image, const std_msgs::Header& header) {
@@ -35,10 +38,16 @@ void ColourInput::OnColour(const ImageMessage& image, const std_msgs::Header& he
       {stamp, FrameName(header.frame_id), image, timeline_, std::chrono::steady_clock::now()});
 }
 
-bool ColourInput::FollowTime(semantic_slam::Stamp stamp) {
+bool ColourInput::FollowTime(Stamp stamp) {
   if (newest_ && SecondsBetween(stamp, *newest_) > kJumpBackS) {
-    ROS_WARN("image stamps jumped back in time: a new recording begins");
-    StartOver();
+    early_images_ = early_ && stamp > *early_ ? early_images_ + 1 : 1;
+    early_ = stamp;
+    if (early_images_ == kJumpBackImages) {
+      ROS_WARN("image stamps jumped back in time: a new recording begins");
+      StartOver();
+    }
+  } else {
+    early_.reset();
   }
   if (newest_ && stamp <= *newest_) {
     drops_.AddQuietly("out_of_order");

@@ -35,8 +35,9 @@ struct ColourInputOptions {
   }
 };
 
-// Subscribes to a colour camera and hands out its images by ascending stamp. What cannot be used is
-// counted under bad_stamp and out_of_order. For one spinning thread.
+// Subscribes to a colour camera and hands out its images by ascending stamp; three images in a row
+// that are over a second older than one before begin a new timeline. What cannot be used is counted
+// under bad_stamp and out_of_order. For one spinning thread.
 class ColourInput {
  public:
   using ImageCallback = std::function<void(ColourMessage)>;
@@ -58,6 +59,9 @@ class ColourInput {
   DropCounter& drops_;
   const ImageCallback on_image_;
   std::optional<semantic_slam::Stamp> newest_;
+  std::optional<semantic_slam::Stamp>
+      early_;             // of the last image, if that was far older than newest_
+  int early_images_ = 0;  // how many of those came one after another
   int timeline_ = 0;
   bool paused_ = false;
   ros::Subscriber sub_;  // last, so that no callback finds a member gone
