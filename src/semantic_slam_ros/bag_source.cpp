@@ -65,7 +65,7 @@ auto NamingTheBag(const std::string& path, Read&& read) {
 
 ImagePairerOptions BagSource::WaitForNearest() {
   ImagePairerOptions options;
-  options.min_period_s = 0.0;
+  options.min_period_share = 0.0;
   options.capacity = 30;  // bags are in order of arrival, and drivers hold one stream back
   return options;
 }

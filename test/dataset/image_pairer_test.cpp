@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/dataset/tum_images.h"
+#include "testing/shared_data.h"
 
 namespace semantic_slam {
 namespace {
@@ -67,7 +69,7 @@ using Pairer = ImagePairer<int>;
 
 ImagePairerOptions Waiting() {
   ImagePairerOptions options;
-  options.min_period_s = 0.0;
+  options.min_period_share = 0.0;
   return options;
 }
 
@@ -83,7 +85,8 @@ TEST(ImagePairerTest, EqualStampsLeaveAtOnce) {
 TEST(ImagePairerTest, CarriesBothStamps) {
   Pairer pairer;
   pairer.AddDepth(Ms(104), 2);
-  const auto pairs = pairer.AddColour(Ms(100), 1).pairs;
+  pairer.AddColour(Ms(100), 1);
+  const auto pairs = pairer.Flush();
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0].stamp, Ms(100));
   EXPECT_EQ(pairs[0].depth_stamp, Ms(104));
@@ -101,16 +104,35 @@ TEST(ImagePairerTest, WaitsWhileANearerImageMayCome) {
   EXPECT_EQ(pairer.counts().unpaired_colour, 1u);
 }
 
+// Feeds image `i` of a 30 Hz camera whose depth images are `gap_ms` late. True if the two leave as
+// a pair with the second of them.
+bool LeavesAtOnce(Pairer& pairer, int i, int gap_ms) {
+  pairer.AddColour(Ms(33 * i), i);
+  const auto pairs = pairer.AddDepth(Ms(33 * i + gap_ms), i).pairs;
+  return !pairs.empty() && pairs.back().colour == i;
+}
+
 TEST(ImagePairerTest, KnowingThePeriodSparesTheWait) {
-  Pairer pairer;  // no other colour image before 115 ms
-  pairer.AddColour(Ms(100), 0);
-  EXPECT_EQ(pairer.AddDepth(Ms(107), 0).pairs.size(), 1u);
+  Pairer pairer;
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(LeavesAtOnce(pairer, i, 8)) << i;
+  // Ten gaps of 33 ms: no colour image is expected in the next 24 ms.
+  for (int i = 10; i < 20; ++i) EXPECT_TRUE(LeavesAtOnce(pairer, i, 8)) << i;
+  EXPECT_TRUE(LeavesAtOnce(pairer, 20, 12));
+  EXPECT_FALSE(LeavesAtOnce(pairer, 21, 13)) << "a colour image 12 ms after depth may come";
+}
+
+TEST(ImagePairerTest, AShortGapMakesItWaitAgain) {
+  Pairer pairer;
+  for (int i = 0; i < 20; ++i) LeavesAtOnce(pairer, i, 8);
+  pairer.AddColour(Ms(33 * 19 + 10), 100);  // 10 ms after the one before
+  EXPECT_FALSE(LeavesAtOnce(pairer, 20, 8)) << "now one may come 7.5 ms after colour";
+  EXPECT_TRUE(LeavesAtOnce(pairer, 21, 3));
 }
 
 TEST(ImagePairerTest, DropsAndCountsImagesWithoutPartner) {
   Pairer pairer;
   for (const int ms : {0, 33, 66, 100}) pairer.AddColour(Ms(ms), ms);
-  std::vector<Pairer::Pair> pairs = pairer.AddDepth(Ms(101), 0).pairs;
+  std::vector<Pairer::Pair> pairs = pairer.AddDepth(Ms(100), 0).pairs;
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0].colour, 100);
   EXPECT_EQ(pairer.counts().unpaired_colour, 3u);
@@ -229,10 +251,22 @@ std::vector<Stamp> JitteryStream(std::mt19937& random) {
   return stamps;
 }
 
+// 30 Hz with a camera's jitter, and now and then an image lost. No gap is shorter than 29 ms, and
+// that is more than three quarters of any gap between neighbours.
+std::vector<Stamp> CameraStream(std::mt19937& random) {
+  std::uniform_int_distribution<int> jitter_ms(-4, 4), is_lost(0, 19);
+  std::vector<Stamp> stamps;
+  std::int64_t ms = 1000 + 4 * jitter_ms(random);
+  while (stamps.size() < 200) {
+    ms += 33 + jitter_ms(random);
+    if (is_lost(random) > 0) stamps.push_back(Ms(ms));
+  }
+  return stamps;
+}
+
 // Feeds both streams in an order in which they could arrive: by stamp, each delayed on its own.
 std::string PairedAsTheyArrive(const std::vector<Stamp>& colour, const std::vector<Stamp>& depth,
-                               std::int64_t depth_delay_ms) {
-  ImagePairerOptions options = Waiting();
+                               std::int64_t depth_delay_ms, ImagePairerOptions options) {
   options.capacity = 200;
   ImagePairer<std::size_t> pairer(options);
   std::vector<PairIndices> indices;
@@ -261,8 +295,39 @@ TEST(ImagePairerTest, StreamsGiveThePairsOfTheWholeLists) {
     const auto depth = JitteryStream(random);
     const std::string expected = Paired(colour, depth);
     for (const int delay_ms : {-300, 0, 100}) {
-      ASSERT_EQ(PairedAsTheyArrive(colour, depth, delay_ms), expected) << "streams " << i;
+      ASSERT_EQ(PairedAsTheyArrive(colour, depth, delay_ms, Waiting()), expected)
+          << "streams " << i;
     }
+  }
+}
+
+TEST(ImagePairerTest, CamerasGiveThePairsOfTheWholeListsWithoutWaiting) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i) {
+    const auto colour = CameraStream(random);
+    const auto depth = CameraStream(random);
+    const std::string expected = Paired(colour, depth);
+    for (const int delay_ms : {-300, 0, 100}) {
+      ASSERT_EQ(PairedAsTheyArrive(colour, depth, delay_ms, ImagePairerOptions()), expected)
+          << "streams " << i;
+    }
+  }
+}
+
+std::vector<Stamp> StampsOfList(const std::string& folder, const std::string& list) {
+  ProblemLog problems;
+  std::vector<Stamp> stamps;
+  for (const ImageFile& file : ReadImageList(folder, list, problems)) stamps.push_back(file.stamp);
+  return stamps;
+}
+
+TEST(ImagePairerOnRealDataTest, Freiburg1DeskGivesThePairsOfTheWholeListsWithoutWaiting) {
+  const auto folder = SharedData(kFreiburg1Desk);
+  SEMANTIC_SLAM_SKIP_WITHOUT(folder, kFreiburg1Desk);
+  const auto colour = StampsOfList(*folder, "rgb.txt"), depth = StampsOfList(*folder, "depth.txt");
+  for (const int delay_ms : {-30, 0, 30}) {
+    EXPECT_EQ(PairedAsTheyArrive(colour, depth, delay_ms, ImagePairerOptions()),
+              Paired(colour, depth));
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "semantic_slam/common/options.h"
 #include "semantic_slam/common/stamp.h"
+#include "semantic_slam/dataset/shortest_gap.h"
 
 // The one rule by which colour and depth images become pairs: nearest stamps first, one to one,
 // within max_gap_s. PairStamps() applies it to whole lists, ImagePairer to images as they arrive.
@@ -20,15 +21,16 @@ namespace semantic_slam {
 
 struct ImagePairerOptions {
   double max_gap_s = 0.02;  // colour and depth farther apart are not of one moment
-  // Two images of one stream are taken to be at least this far apart, so the pairer need not wait
-  // for the next image to rule out that it fits better. 0 always waits.
-  double min_period_s = 0.015;
+  // The next image of a stream is taken to come no sooner than this share of the shortest of its
+  // last hundred gaps, so the pairer need not wait for it to rule out that it fits better. 0 always
+  // waits.
+  double min_period_share = 0.75;
   int capacity = 10;  // images of one stream that may wait for a partner
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
     visit("max_gap_s", self.max_gap_s, 0.0, 1.0);
-    visit("min_period_s", self.min_period_s, 0.0, 1.0);
+    visit("min_period_share", self.min_period_share, 0.0, 1.0);
     visit("capacity", self.capacity, 1, 1000);
   }
 };
@@ -74,8 +76,9 @@ inline std::int64_t Nanoseconds(double seconds) {
 // to come can fit better.
 //
 // The pairs are those of PairStamps() as long as each stream arrives in order, no more than
-// `capacity` images have to wait and the images of a stream are min_period_s apart; where they are
-// closer, an image may get a partner within max_gap_s that is not its nearest.
+// `capacity` images have to wait and no gap of a stream is shorter than min_period_share of the
+// shortest one of the hundred before. After one that is, an image may get a partner within
+// max_gap_s that is not its nearest, or none.
 //
 // Not thread-safe.
 template <typename Payload>
@@ -129,6 +132,7 @@ class ImagePairer {
   struct Stream {
     std::deque<Image> waiting;  // by ascending stamp
     std::optional<Stamp> newest;
+    ShortestGap shortest_gap;
     std::deque<Image> early;  // the last images, if far older than newest; by ascending stamp
   };
 
@@ -156,6 +160,7 @@ class ImagePairer {
 
   static void Append(Stream& stream, Image image) {
     stream.newest = image.stamp;
+    stream.shortest_gap.Add(image.stamp);
     stream.waiting.push_back(std::move(image));
   }
 
@@ -229,7 +234,9 @@ class ImagePairer {
 
   Stamp EarliestNext(const Stream& stream) const {
     if (!stream.newest) return internal::kStartOfTime;
-    return {stream.newest->ns + std::max<std::int64_t>(min_period_ns_, 1)};
+    const double shortest_ns = static_cast<double>(stream.shortest_gap.ns().value_or(0));
+    const std::int64_t period_ns = std::llround(options_.min_period_share * shortest_ns);
+    return {stream.newest->ns + std::max<std::int64_t>(period_ns, 1)};
   }
 
   static std::vector<Stamp> Stamps(const Stream& stream) {
@@ -240,7 +247,6 @@ class ImagePairer {
 
   const ImagePairerOptions options_;
   const std::int64_t max_gap_ns_ = internal::Nanoseconds(options_.max_gap_s);
-  const std::int64_t min_period_ns_ = internal::Nanoseconds(options_.min_period_s);
   Stream colour_;
   Stream depth_;
   Counts counts_;
