@@ -7,6 +7,7 @@
 
 #include "semantic_slam/common/error.h"
 #include "testing/expect_error.h"
+#include "testing/small_room.h"
 
 namespace semantic_slam {
 namespace {
@@ -133,6 +134,29 @@ TEST(MeanAccelerationTest, ReadingsThatAreNoNumbersDoNotCount) {
   const auto mean = MeanAcceleration(readings, kNow);
   ASSERT_TRUE(mean);
   EXPECT_TRUE(mean->isApprox(Eigen::Vector3d(0.0, 9.81, 0.0), 1e-9));
+}
+
+TEST(FindMapStartTest, TheAccelerometerGoesFirstAndThenALevelBase) {
+  const RgbdImage blank = BlankImage(kNow);  // a wall, and no floor
+  Rigid3d T_base_camera = Rigid3d::Identity();
+  T_base_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  const auto by_imu =
+      FindMapStart(Eigen::Vector3d(9.81, 0.0, 0.0), blank, *SmallCamera(), T_base_camera);
+  EXPECT_EQ(by_imu.source, "up from the imu");
+  // A camera on its side: its x axis is up.
+  EXPECT_TRUE(by_imu.T_map_camera.linear().col(0).isApprox(Eigen::Vector3d::UnitZ(), 1e-12));
+  const auto level = FindMapStart(std::nullopt, blank, *SmallCamera(), T_base_camera);
+  EXPECT_EQ(level.source, "the base is taken to stand level");
+  EXPECT_EQ(level.T_map_camera.matrix(), T_base_camera.matrix());
+}
+
+TEST(FindMapStartTest, RefusesAnImageOfAnotherCamera) {
+  CameraIntrinsics smaller = SmallIntrinsics();
+  smaller.width_px /= 2;
+  smaller.height_px /= 2;
+  const RgbdImage image = BlankImage(kNow);
+  EXPECT_THROW(FindMapStart(std::nullopt, image, CameraModel(smaller), Rigid3d::Identity()),
+               InputError);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace semantic_slam {
 //
 // Planes through three readings, the one with most readings within the sensor's noise wins (Fischler
 // and Bolles, RANSAC, 1981), refined on all of them. The random numbers have a fixed seed.
+// Precondition: the image is one of the camera's, see CheckRgbdImage().
 std::optional<Eigen::Vector3d> LevelSurfaceNormal(const RgbdImage& image, const CameraModel& camera,
                                                   const Eigen::Vector3d& expected_up_camera);
 

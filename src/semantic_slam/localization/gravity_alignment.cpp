@@ -45,6 +45,7 @@ std::optional<Eigen::Vector3d> MeanAcceleration(const std::vector<AccelerometerR
 MapStart FindMapStart(const std::optional<Eigen::Vector3d>& up_by_imu_camera,
                       const RgbdImage& image, const CameraModel& camera,
                       const Rigid3d& T_base_camera) {
+  CheckRgbdImage(image, camera);
   const auto upright = [&](const Eigen::Vector3d& up_camera) {
     Rigid3d T_map_base = Rigid3d::Identity();
     T_map_base.linear() =

@@ -35,7 +35,8 @@ struct MapStart {
 // The start of a map whose first image is `image`: z up, origin at the base frame. Up comes from
 // `up_by_imu_camera` (an accelerometer's mean reading, optical frame) if it is given; else from the
 // largest level surface in view, see LevelSurfaceNormal(); else the base is taken to stand level.
-// With the first two the camera looks along x, with the last one the base does.
+// With the first two the camera looks along x, with the last one the base does. Throws InputError if
+// the image is not one of the camera's, see CheckRgbdImage().
 MapStart FindMapStart(const std::optional<Eigen::Vector3d>& up_by_imu_camera,
                       const RgbdImage& image, const CameraModel& camera,
                       const Rigid3d& T_base_camera);
