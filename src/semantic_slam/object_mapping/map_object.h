@@ -21,9 +21,9 @@ struct LabelProbability {
 
 // One object of the object map, everything in the map frame (z up).
 struct MapObject {
-  ObjectId id = 0;                        // never used again
-  std::vector<LabelProbability> labels;   // by descending probability; their sum is at most 1
-  Eigen::Vector3d position_m;             // mean of the centre, thesis eq. (3.25)
+  ObjectId id = 0;                       // never used again
+  std::vector<LabelProbability> labels;  // by descending probability; their sum is at most 1
+  Eigen::Vector3d position_m;            // mean of the centre, thesis eq. (3.25)
   Eigen::Matrix3d position_covariance_m2;
   Rigid3d T_map_box = Rigid3d::Identity();  // centre and axes of the oriented box; its z is up
   Eigen::Vector3d box_size_m;               // edge lengths along the box's own axes
