@@ -1,5 +1,6 @@
 #include "semantic_slam/common/yaml_options.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -13,9 +14,9 @@ std::string At(const std::string& path, const YAML::Node& node) {
 
 std::string ValueText(const YAML::Node& node) {
   if (node.IsScalar()) return node.Scalar();
-  YAML::Emitter one_line;
-  one_line << YAML::Flow << node;
-  return one_line.c_str();
+  std::string text = YAML::Dump(node);
+  std::replace(text.begin(), text.end(), '\n', ' ');  // messages are one line
+  return text;
 }
 
 std::string Joined(const std::set<std::string>& names) {

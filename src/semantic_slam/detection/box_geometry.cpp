@@ -24,6 +24,13 @@ bool IsUsable(const cv::Rect2f& box) {
          std::isfinite(box.height) && box.width > 0.0f && box.height > 0.0f;
 }
 
+std::optional<cv::Rect2f> PartInImage(const cv::Rect2f& box, const ImageFit& fit, cv::Size image) {
+  const cv::Point2f half(0.5f, 0.5f);  // from corners of pixels to their centres
+  const cv::Rect2f in_image(fit.ToImage(box.tl() - half), fit.ToImage(box.br() - half));
+  const cv::Rect2f visible = in_image & cv::Rect2f(-half, cv::Size2f(image));
+  return IsUsable(visible) ? std::optional(visible) : std::nullopt;
+}
+
 double IntersectionOverUnion(const cv::Rect2f& a, const cv::Rect2f& b) {
   const cv::Rect2d wide_a(a), wide_b(b);
   const double both = (wide_a & wide_b).area();

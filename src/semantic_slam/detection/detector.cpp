@@ -21,11 +21,6 @@ void KeepSurest(std::vector<NetworkBox>& boxes, std::size_t count) {
   boxes.resize(count);
 }
 
-// The pixels of an image, by the coordinates of their centres.
-cv::Rect2f ExtentOf(cv::Size image) {
-  return {-0.5f, -0.5f, static_cast<float>(image.width), static_cast<float>(image.height)};
-}
-
 template <typename Box>
 std::vector<Box> Selected(const std::vector<Box>& boxes, const std::vector<int>& indices) {
   std::vector<Box> selected;
@@ -76,13 +71,11 @@ std::vector<DetectedBox> Detector::SuppressWithinLabels(
 std::vector<DetectedBox> Detector::ToImage(const std::vector<NetworkBox>& boxes,
                                            cv::Size image) const {
   const ImageFit fit = network_.FitOf(image);
-  const cv::Point2f half(0.5f, 0.5f);  // from corners of pixels to their centres
   std::vector<DetectedBox> in_image;
   for (const NetworkBox& found : boxes) {
-    const cv::Rect2f box(fit.ToImage(found.box.tl() - half), fit.ToImage(found.box.br() - half));
-    const cv::Rect2f visible = box & ExtentOf(image);
-    if (!IsUsable(visible)) continue;
-    in_image.push_back({class_labels_[found.class_index], found.confidence, visible});
+    if (const auto box = PartInImage(found.box, fit, image)) {
+      in_image.push_back({class_labels_[found.class_index], found.confidence, *box});
+    }
   }
   return in_image;
 }
