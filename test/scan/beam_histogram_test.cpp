@@ -37,40 +37,47 @@ TEST(BeamHistogramTest, KeepsAHitAtTheMaximumRange) {
   EXPECT_FLOAT_EQ(histogram.NearestSurface(0, 1, TenCentimetres), kMaxRangeM);
 }
 
-TEST(BeamHistogramTest, IsFreeWhereRaysInsideTheBandAreFree) {
+TEST(BeamHistogramTest, IsFreeWhereEnoughRaysAre) {
   BeamHistogram histogram(1, kMaxRangeM);
   for (int pixel = 0; pixel < 3; ++pixel) {
-    histogram.AddInside(0, {0.0f, kMaxRangeM});
-    histogram.AddFree(0, {0.0f, 2.0f + 0.5f * static_cast<float>(pixel)});
+    histogram.AddFree(0, {0.0f, 2.0f + 0.5f * static_cast<float>(pixel)}, 1.0f);
   }
   EXPECT_FLOAT_EQ(histogram.FreeStretch(0, 3, 0.0f).to_m, 2.0f);
   EXPECT_NEAR(histogram.FreeStretch(0, 2, 0.0f).to_m, 2.5f, kBinM);
-  EXPECT_NEAR(histogram.FreeStretch(0, 1, 0.5f).to_m, 2.5f, kBinM) << "half of three is two";
-  EXPECT_NEAR(histogram.FreeStretch(0, 1, 0.3f).to_m, 3.0f, kBinM);
+  EXPECT_NEAR(histogram.FreeStretch(0, 1, 0.0f).to_m, 3.0f, kBinM);
+}
+
+TEST(BeamHistogramTest, IsFreeWhereEnoughHeightWasSeen) {
+  // Two pixels that stand for 0.15 m of height per metre: 0.3 m are seen from 2 m on.
+  BeamHistogram histogram(1, kMaxRangeM);
+  histogram.AddFree(0, {0.0f, 3.0f}, 0.1f);
+  histogram.AddFree(0, {0.0f, kMaxRangeM}, 0.05f);
+  const RangeInterval stretch = histogram.FreeStretch(0, 1, 0.3f);
+  EXPECT_NEAR(stretch.from_m, 2.0f, kBinM);
+  EXPECT_NEAR(stretch.to_m, 3.0f, kBinM) << "beyond, one of them alone sees too little";
 }
 
 TEST(BeamHistogramTest, IsFreeToTheMaximumRangeExactly) {
   BeamHistogram histogram(1, 4.03f);  // not a whole number of bins
-  histogram.AddInside(0, {0.0f, 4.03f});
-  histogram.AddFree(0, {0.0f, 4.03f});
-  EXPECT_EQ(histogram.FreeStretch(0, 1, 1.0f).to_m, 4.03f);
+  histogram.AddFree(0, {0.0f, 4.03f}, 1.0f);
+  EXPECT_EQ(histogram.FreeStretch(0, 1, 0.0f).to_m, 4.03f);
 }
 
 TEST(BeamHistogramTest, BeginsWhereRaysEnterTheBand) {
   BeamHistogram histogram(1, kMaxRangeM);
-  histogram.AddInside(0, {1.0f, 3.0f});
-  histogram.AddFree(0, {1.0f, 3.0f});
-  const RangeInterval stretch = histogram.FreeStretch(0, 1, 0.5f);
+  histogram.AddFree(0, {1.0f, 3.0f}, 1.0f);
+  const RangeInterval stretch = histogram.FreeStretch(0, 1, 0.0f);
   EXPECT_NEAR(stretch.from_m, 1.0f, kBinM);
   EXPECT_NEAR(stretch.to_m, 3.0f, kBinM);
 }
 
-TEST(BeamHistogramTest, DoesNotSeeBeyondWhatItDoesNotKnow) {
+TEST(BeamHistogramTest, EndsWhereNothingWasSeen) {
   BeamHistogram histogram(1, kMaxRangeM);
-  histogram.AddInside(0, {0.0f, kMaxRangeM});
-  histogram.AddFree(0, {2.0f, kMaxRangeM});  // nothing is known of the first two metres
-  const RangeInterval stretch = histogram.FreeStretch(0, 1, 0.5f);
-  EXPECT_GE(stretch.from_m, stretch.to_m);
+  histogram.AddFree(0, {0.0f, 1.0f}, 1.0f);
+  histogram.AddFree(0, {2.0f, 3.0f}, 1.0f);
+  EXPECT_NEAR(histogram.FreeStretch(0, 1, 0.0f).to_m, 1.0f, kBinM);
+  const RangeInterval none = BeamHistogram(1, kMaxRangeM).FreeStretch(0, 1, 0.0f);
+  EXPECT_GE(none.from_m, none.to_m);
 }
 
 }  // namespace

@@ -81,6 +81,20 @@ RgbdImage Flat(float depth_m) {
   return image;
 }
 
+// What a camera looking down by `pitch_rad` sees of an endless floor 2 m below; farther than 20 m
+// is as far.
+RgbdImage TiltedFloor(double pitch_rad) {
+  RgbdImage image = Flat(20.0f);
+  const Eigen::AngleAxisd tilt(-pitch_rad, Eigen::Vector3d::UnitX());
+  for (int v = 0; v < image.depth_m.rows; ++v) {
+    for (int u = 0; u < image.depth_m.cols; ++u) {
+      const Eigen::Vector3d ray = tilt * SmallCamera()->Ray(u, v).homogeneous().cast<double>();
+      if (ray.y() > 0.1) image.depth_m.at<float>(v, u) = static_cast<float>(2.0 / ray.y());
+    }
+  }
+  return image;
+}
+
 // Depth is exact here. 2 cm: a beam is half a degree wide and reports the mean of its pixels.
 constexpr double kExactM = 0.02;
 
@@ -122,12 +136,27 @@ TEST(ScanBuilderTest, SeesTheSameWhenTheCameraIsRolled) {
 
 TEST(ScanBuilderTest, IsFreeUpToTheWall) {
   const PlanarScan scan = ScanOfRoom(Camera(0.0, 0.0, 0.0));
-  for (const ScanBeam& beam : scan.beams) {
-    if (beam.status() != BeamStatus::kHit) continue;
+  const auto middle = static_cast<std::ptrdiff_t>(scan.beams.size() / 2);
+  // 45 degrees of the 63 in view: towards the image's edges less height is in view nearby.
+  for (std::ptrdiff_t i = middle - 45; i < middle + 45; ++i) {
+    const ScanBeam& beam = scan.beams[i];
     EXPECT_EQ(beam.free_from_m, 0.0f);
     EXPECT_LE(beam.free_to_m, beam.hit_m);
     EXPECT_GT(beam.free_to_m, beam.hit_m - 0.12) << "slanting walls end the pixels' rays earlier";
   }
+}
+
+TEST(ScanBuilderTest, DoesNotClearWhatItHardlySees) {
+  // Looking down by 0.5 rad, the view's upper edge falls by 0.04 per metre, so of a band 0.1 m
+  // about the camera's height the lower half is in view, and less and less of it.
+  ScanBuilderOptions options;
+  options.band_lower_m = -0.1;
+  options.band_upper_m = 0.1;
+  options.min_free_share = 0.6;
+  const PlanarScan scan = Build(TiltedFloor(0.5), Camera(0.0, 0.5, 0.0), options);
+  EXPECT_EQ(Count(scan, BeamStatus::kFree), 0);
+  options.min_free_share = 0.1;
+  EXPECT_GT(Count(Build(TiltedFloor(0.5), Camera(0.0, 0.5, 0.0), options), BeamStatus::kFree), 100);
 }
 
 TEST(ScanBuilderTest, FindsTheWallsWithinTheSensorsNoise) {
@@ -168,11 +197,14 @@ TEST(ScanBuilderTest, DoesNotClearWhatIsBelowItsView) {
   options.fixed_band = true;
   options.band_lower_m = 1.5;
   options.band_upper_m = 1.7;
+  int seen_free = 0;
   for (const ScanBeam& beam : ScanOfRoom(T, options).beams) {
-    if (beam.status() == BeamStatus::kUnknown) continue;
+    if (beam.free_to_m == 0.0f) continue;
+    ++seen_free;
     // The view's upper edge climbs by 0.46 per metre ahead.
     EXPECT_GT(beam.free_from_m, 1.0);
   }
+  EXPECT_GT(seen_free, 50);
 }
 
 TEST(ScanBuilderTest, KnowsNothingOfABandOutOfView) {
@@ -208,12 +240,12 @@ TEST(ScanBuilderTest, TakesNoDepthForUnknownNeverForFree) {
   for (const ScanBeam& beam : Build(image, Camera(0.0, 0.0, 0.0)).beams) {
     EXPECT_NE(beam.status(), BeamStatus::kFree);
   }
-  ScanBuilderOptions strict;
-  strict.min_free_share = 1.0;
-  const PlanarScan scan = Build(image, Camera(0.0, 0.0, 0.0), strict);
+  // 20 of the 35 rows that are inside the band at 3 m say nothing, and of the 52 rows at 2 m.
+  const PlanarScan scan = Build(image, Camera(0.0, 0.0, 0.0));
   const std::size_t left = scan.beams.size() / 2 + 20, right = scan.beams.size() / 2 - 20;
-  EXPECT_EQ(scan.beams[left].free_to_m, 0.0f);
-  EXPECT_GT(scan.beams[right].free_to_m, 2.8f);
+  EXPECT_GT(scan.beams[left].free_to_m, 1.5);
+  EXPECT_LT(scan.beams[left].free_to_m, 2.8);
+  EXPECT_GT(scan.beams[right].free_to_m, 2.8);
 }
 
 TEST(ScanBuilderTest, IgnoresSinglePixels) {

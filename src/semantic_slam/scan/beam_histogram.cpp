@@ -13,10 +13,10 @@ constexpr float kRounding = 1e-3f;  // of a bin: an interval that ends a hair sh
 BeamHistogram::BeamHistogram(int beams, float max_range_m)
     : max_range_m_(max_range_m),
       bins_(std::max(1, static_cast<int>(max_range_m / kBinM + kRounding))),
-      inside_(static_cast<std::size_t>(beams) * (bins_ + 1)),
-      free_(inside_.size()),
-      hits_(inside_.size()),
-      hit_sum_m_(inside_.size()) {}
+      free_rays_(static_cast<std::size_t>(beams) * (bins_ + 1)),
+      free_slope_(free_rays_.size()),
+      hits_(free_rays_.size()),
+      hit_sum_m_(free_rays_.size()) {}
 
 void BeamHistogram::AddHit(int beam, float range_m) {
   const std::size_t index = Index(beam, std::min(static_cast<int>(range_m / kBinM), bins_ - 1));
@@ -24,23 +24,26 @@ void BeamHistogram::AddHit(int beam, float range_m) {
   hit_sum_m_[index] += range_m;
 }
 
-void BeamHistogram::AddTo(std::vector<int>& counts, int beam, const RangeInterval& interval) const {
+void BeamHistogram::AddFree(int beam, const RangeInterval& interval, float slope) {
   const int begin = static_cast<int>(interval.from_m / kBinM + 1.0f - kRounding);
   const int end = std::min(static_cast<int>(interval.to_m / kBinM + kRounding), bins_);
   if (begin >= end) return;
-  ++counts[Index(beam, begin)];
-  --counts[Index(beam, end)];
+  ++free_rays_[Index(beam, begin)];
+  --free_rays_[Index(beam, end)];
+  free_slope_[Index(beam, begin)] += slope;
+  free_slope_[Index(beam, end)] -= slope;
 }
 
-RangeInterval BeamHistogram::FreeStretch(int beam, int min_rays, float min_share) const {
-  int inside = 0, free = 0, begin = -1, bin = 0;
+RangeInterval BeamHistogram::FreeStretch(int beam, int min_rays, float height_m) const {
+  int rays = 0, begin = -1, bin = 0;
+  float slope = 0.0f;
   for (; bin < bins_; ++bin) {
-    inside += inside_[Index(beam, bin)];
-    free += free_[Index(beam, bin)];
-    if (begin < 0 && inside < min_rays) continue;  // the band has not come into view yet
-    const bool is_free = free >= min_rays && static_cast<float>(free) >= min_share * inside;
-    if (!is_free) break;
-    if (begin < 0) begin = bin;
+    rays += free_rays_[Index(beam, bin)];
+    slope += free_slope_[Index(beam, bin)];
+    const float seen_m = slope * (BinStart(bin) + 0.5f * kBinM);
+    const bool is_free = rays >= min_rays && seen_m >= height_m;
+    if (is_free && begin < 0) begin = bin;
+    if (!is_free && begin >= 0) break;
   }
   if (begin < 0) return {};
   return {BinStart(begin), bin < bins_ ? BinStart(bin) : max_range_m_};

@@ -12,17 +12,16 @@ struct RangeInterval {
   float to_m = 0.0f;
 };
 
-// What the pixels of one image say about each beam, by distance: how many rays run inside the band
-// of heights there, how many of them were seen to be free, and where rays ended on something.
+// What the pixels of one image say about each beam, by distance: how much of the band of heights
+// was seen to be free there, and where rays ended on something.
 class BeamHistogram {
  public:
   BeamHistogram(int beams, float max_range_m);
 
-  // A pixel's ray is inside the band here.
-  void AddInside(int beam, const RangeInterval& interval) { AddTo(inside_, beam, interval); }
-  // And is known to be free here. Only bins that lie in it as a whole count.
-  void AddFree(int beam, const RangeInterval& interval) { AddTo(free_, beam, interval); }
-  // And ends on something here. Precondition: 0 <= range_m <= max_range_m.
+  // A pixel's ray is inside the band and free here. It stands for `slope` metres of height per
+  // metre of distance. Only bins that lie in the interval as a whole count.
+  void AddFree(int beam, const RangeInterval& interval, float slope);
+  // A ray ends on something inside the band. Precondition: 0 <= range_m <= max_range_m.
   void AddHit(int beam, float range_m);
 
   // Distance of the nearest surface: the mean of the hits within the surface's depth of the nearest
@@ -38,10 +37,9 @@ class BeamHistogram {
     return std::numeric_limits<float>::quiet_NaN();
   }
 
-  // The stretch, from the nearest distance with at least `min_rays` inside the band, in which at
-  // least `min_rays` rays and `min_share` of those inside the band are free. Empty if there is
-  // none.
-  RangeInterval FreeStretch(int beam, int min_rays, float min_share) const;
+  // The nearest stretch in which at least `height_m` of height, by the rays of at least `min_rays`
+  // pixels, was seen to be free. Empty if there is none.
+  RangeInterval FreeStretch(int beam, int min_rays, float height_m) const;
 
  private:
   static constexpr float kBinM = 0.05f;
@@ -50,16 +48,16 @@ class BeamHistogram {
   std::size_t Index(int beam, int bin) const {
     return static_cast<std::size_t>(beam) * (bins_ + 1) + bin;
   }
-  void AddTo(std::vector<int>& counts, int beam, const RangeInterval& interval) const;
   int EndBin(int bin, float depth_m) const;
   int CountHits(int beam, int begin, int end) const;
   float MeanHit(int beam, int begin, int end) const;
 
   const float max_range_m_;
   const int bins_;  // per beam, plus one that takes what ends with the last
-  // Differences from bin to bin: their running sum is the number of rays.
-  std::vector<int> inside_;
-  std::vector<int> free_;
+  // Differences from bin to bin: their running sums are the number of free rays, and the slopes
+  // they stand for.
+  std::vector<int> free_rays_;
+  std::vector<float> free_slope_;
   std::vector<int> hits_;
   std::vector<float> hit_sum_m_;
 };

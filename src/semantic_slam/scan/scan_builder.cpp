@@ -34,6 +34,13 @@ double HalfDiagonalAngle(const CameraModel& camera) {
   return widest;
 }
 
+// A sampled pixel on the optical axis of a level camera covers so much slope times bearing; divided
+// by a beam's width it is the share of the beam's height.
+float PixelSlope(const CameraIntrinsics& camera, const ScanBuilderOptions& options) {
+  const double area = options.row_stride / (camera.fx_px * camera.fy_px);
+  return static_cast<float>(area / (options.beam_spacing_deg * M_PI / 180.0));
+}
+
 }  // namespace
 
 ScanBuilder::ScanBuilder(const ScanBuilderOptions& options,
@@ -41,7 +48,8 @@ ScanBuilder::ScanBuilder(const ScanBuilderOptions& options,
     : options_(Checked(options)),
       camera_(std::move(camera)),
       step_rad_(static_cast<float>(options_.beam_spacing_deg * M_PI / 180.0)),
-      beams_(2 * static_cast<int>(std::ceil(HalfDiagonalAngle(*camera_) / step_rad_))) {}
+      beams_(2 * static_cast<int>(std::ceil(HalfDiagonalAngle(*camera_) / step_rad_))),
+      pixel_slope_(PixelSlope(camera_->intrinsics(), options_)) {}
 
 PlanarScan ScanBuilder::Build(const RgbdImage& image, const Rigid3d& T_map_camera) const {
   CheckRgbdImage(image, *camera_);
@@ -65,26 +73,24 @@ PlanarScan ScanBuilder::Build(const RgbdImage& image, const Rigid3d& T_map_camer
 
 BeamHistogram ScanBuilder::Collect(const cv::Mat& depth_m, const Eigen::Matrix3f& R_level_camera,
                                    const Band& band) const {
-  const auto min_range_m = static_cast<float>(options_.min_range_m);
-  const auto max_range_m = static_cast<float>(options_.max_range_m);
-  BeamHistogram histogram(beams_, max_range_m);
-  for (int v = 0; v < depth_m.rows; v += options_.pixel_stride) {
+  BeamHistogram histogram(beams_, max_range_m());
+  for (int v = 0; v < depth_m.rows; v += options_.row_stride) {
     const auto* depth_row = depth_m.ptr<float>(v);
-    for (int u = 0; u < depth_m.cols; u += options_.pixel_stride) {
+    for (int u = 0; u < depth_m.cols; ++u) {
+      const float pixel_depth_m = depth_row[u];
+      if (!(pixel_depth_m > 0.0f) || !std::isfinite(pixel_depth_m)) continue;
       const Eigen::Vector3f ray = R_level_camera * camera_->Ray(u, v).homogeneous();
       const float horizontal = std::sqrt(ray.x() * ray.x() + ray.y() * ray.y());
-      if (horizontal < kMinHorizontal) continue;
+      const float range_m = pixel_depth_m * horizontal;
+      if (horizontal < kMinHorizontal || range_m < min_range_m()) continue;
       const RangeInterval inside = InsideBand(ray.z() / horizontal, band);
-      if (inside.from_m >= inside.to_m) continue;
+      if (inside.from_m >= std::min(inside.to_m, range_m)) continue;
       const int beam = BeamOf(ray.x(), ray.y());
       if (beam < 0) continue;
-      histogram.AddInside(beam, inside);
-      const float range_m = depth_row[u] * horizontal;
-      if (!std::isfinite(range_m) || range_m < min_range_m || depth_row[u] <= 0.0f) continue;
-      histogram.AddFree(beam, {inside.from_m, std::min(inside.to_m, range_m)});
-      if (range_m >= inside.from_m && range_m <= inside.to_m && range_m < max_range_m) {
-        histogram.AddHit(beam, range_m);
-      }
+      // Turned away from the axis and tilted, a pixel covers less or more of slope and bearing.
+      const float slope = pixel_slope_ / (horizontal * horizontal * horizontal);
+      histogram.AddFree(beam, {inside.from_m, std::min(inside.to_m, range_m)}, slope);
+      if (range_m <= inside.to_m && range_m < max_range_m()) histogram.AddHit(beam, range_m);
     }
   }
   return histogram;
@@ -92,11 +98,10 @@ BeamHistogram ScanBuilder::Collect(const cv::Mat& depth_m, const Eigen::Matrix3f
 
 // Where a ray that climbs by `slope` per metre is inside the band.
 RangeInterval ScanBuilder::InsideBand(float slope, const Band& band) const {
-  const auto max_range_m = static_cast<float>(options_.max_range_m);
   const float inverse = std::clamp(1.0f / slope, -kLevel, kLevel);  // a level ray's is infinite
   const float at_lower_m = band.lower_m * inverse, at_upper_m = band.upper_m * inverse;
   return {std::max(0.0f, std::min(at_lower_m, at_upper_m)),
-          std::min(max_range_m, std::max(at_lower_m, at_upper_m))};
+          std::min(max_range_m(), std::max(at_lower_m, at_upper_m))};
 }
 
 // -1 outside the beams.
@@ -109,9 +114,11 @@ ScanBeam ScanBuilder::Summarise(const BeamHistogram& histogram, int beam) const 
   ScanBeam summary;
   summary.hit_m = histogram.NearestSurface(beam, options_.min_pixels,
                                            [this](float range_m) { return SurfaceDepth(range_m); });
+  const double height_m = options_.min_free_share * (options_.band_upper_m - options_.band_lower_m);
   const RangeInterval free =
-      histogram.FreeStretch(beam, options_.min_pixels, static_cast<float>(options_.min_free_share));
-  summary.free_from_m = free.from_m;
+      histogram.FreeStretch(beam, options_.min_pixels, static_cast<float>(height_m));
+  // The place of the robot itself is free.
+  summary.free_from_m = free.from_m <= min_range_m() ? 0.0f : free.from_m;
   summary.free_to_m = std::isfinite(summary.hit_m) ? std::min(free.to_m, summary.hit_m) : free.to_m;
   return summary;
 }

@@ -17,14 +17,13 @@ struct ScanBuilderOptions {
   bool fixed_band = false;     // true: the heights are the map's z and stay where they are
   double band_lower_m = -0.2;  // from the camera's height, or in the map
   double band_upper_m = 0.2;   // likewise
-  double min_range_m = 0.2;    // nearer things are the robot's own
+  double min_range_m = 0.3;    // nearer things are the robot's own
   double max_range_m = 5.0;    // horizontal; farther depth is too noisy
   double beam_spacing_deg = 0.5;
-  int pixel_stride = 2;         // of rows and of columns
-  int min_pixels = 4;           // that must agree before a beam hits something or is free
-  double min_free_share = 0.5;  // of the rays inside the band that must be seen free; the rest may
-                                // have no depth
-  double surface_depth_m = 0.05;        // how far the hits of one surface spread along a beam
+  int row_stride = 4;             // every so many rows of the image are looked at
+  int min_pixels = 4;             // that must agree before a beam hits something or is free
+  double min_free_share = 0.5;    // of the band's height that must be in view and seen to be free
+  double surface_depth_m = 0.05;  // how far the hits of one surface spread along a beam
   double depth_sigma_at_1m_m = 0.0015;  // of the sensor; grows with depth squared
 
   template <typename Self, typename Visitor>
@@ -35,7 +34,7 @@ struct ScanBuilderOptions {
     visit("min_range_m", self.min_range_m, 0.0, 5.0);
     visit("max_range_m", self.max_range_m, 0.5, 30.0);
     visit("beam_spacing_deg", self.beam_spacing_deg, 0.05, 10.0);
-    visit("pixel_stride", self.pixel_stride, 1, 16);
+    visit("row_stride", self.row_stride, 1, 16);
     visit("min_pixels", self.min_pixels, 1, 1000);
     visit("min_free_share", self.min_free_share, 0.0, 1.0);
     visit("surface_depth_m", self.surface_depth_m, 0.0, 1.0);
@@ -46,10 +45,10 @@ struct ScanBuilderOptions {
 // Turns depth images into planar scans of a band of heights (thesis section 3.4.2), whichever way
 // the camera is tilted. Immutable, so safe from any thread.
 //
-// A beam hits the nearest surface inside the band. It is free only as far as rays inside the band
-// were seen to be free: a pixel without depth says nothing, and where no ray meets the band the
-// beam is unknown. The beams cover what the camera can see ahead when it is rolled in any way: half
-// the angle across the image's diagonal to either side.
+// A beam hits the nearest surface inside the band. It is free where most of the band's height was
+// in view and seen to be free: a pixel without depth says nothing, and a camera that is tilted away
+// from the band does not clear it. All else is unknown. The beams cover what the camera can see
+// ahead when it is rolled in any way: half the angle across the image's diagonal to either side.
 class ScanBuilder {
  public:
   // Throws ConfigError if an option is out of range or the band is empty.
@@ -72,11 +71,14 @@ class ScanBuilder {
   int BeamOf(float x, float y) const;
   ScanBeam Summarise(const BeamHistogram& histogram, int beam) const;
   float SurfaceDepth(float range_m) const;
+  float min_range_m() const { return static_cast<float>(options_.min_range_m); }
+  float max_range_m() const { return static_cast<float>(options_.max_range_m); }
 
   const ScanBuilderOptions options_;
   const std::shared_ptr<const CameraModel> camera_;
   const float step_rad_;
   const int beams_;
+  const float pixel_slope_;  // height per distance, spread over a beam, of a sampled level pixel
 };
 
 }  // namespace semantic_slam

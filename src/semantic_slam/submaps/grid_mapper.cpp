@@ -1,0 +1,136 @@
+#include "semantic_slam/submaps/grid_mapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "semantic_slam/camera/level_frame.h"
+#include "semantic_slam/submaps/submap_merging.h"
+
+namespace semantic_slam {
+
+const char* ToString(InsertOutcome outcome) {
+  switch (outcome) {
+    case InsertOutcome::kInserted:
+      return "inserted";
+    case InsertOutcome::kNotMoved:
+      return "not_moved";
+    case InsertOutcome::kNotTracked:
+      return "not_tracked";
+    case InsertOutcome::kOldMap:
+      return "old_map";
+    case InsertOutcome::kTooFar:
+      return "too_far";
+  }
+  return "";
+}
+
+GridMapper::GridMapper(const GridSlamOptions& options)
+    : options_(Validated(options.grid_mapper)),
+      resolution_m_(options.submaps.resolution_m),
+      reach_m_(options.scan.max_range_m + options.submaps.min_distance_m),
+      inserter_(options.scan_inserter),
+      matcher_(options.scan_matcher, options.correlative_matcher, options.ceres_matcher),
+      active_(options.submaps) {}
+
+InsertOutcome GridMapper::Insert(const PlanarScan& scan, const TrackedImage& image) {
+  if (image.status != TrackingStatus::kTracking) return InsertOutcome::kNotTracked;
+  if (!BelongsToTheMap(image.map_id)) return InsertOutcome::kOldMap;
+  AnchoredScan anchored = Anchored(scan, image);
+  const Rigid3d T_map_camera = anchored.T_map_keyframe * image.T_keyframe_camera;
+  const bool is_near = T_map_camera.translation().norm() <= options_.max_distance_m;
+  if (!is_near || !IsFinite(T_map_camera)) return InsertOutcome::kTooFar;
+  if (!HasMoved(T_map_camera)) return InsertOutcome::kNotMoved;
+  if (options_.match_scans) anchored.T_map_scan = Matched(scan, anchored.T_map_scan);
+  Close(active_.Insert(anchored, inserter_));
+  last_T_map_camera_ = T_map_camera;
+  stamp_ = std::max(stamp_, scan.stamp);
+  ++changes_;
+  return InsertOutcome::kInserted;
+}
+
+void GridMapper::FollowGraph(const KeyframeGraph& graph) {
+  if (!BelongsToTheMap(graph.map_id)) return;
+  if (keyframes_.map_id() == graph.map_id && graph.revision < keyframes_.revision()) return;
+  keyframes_ = KeyframePoses(graph);
+  bool moved = false;
+  const auto follow = [&](Submap& submap) {
+    const auto T_map_keyframe = keyframes_.Find(submap.keyframe());
+    if (!T_map_keyframe) return;
+    moved |= submap.Follow(*T_map_keyframe, reach_m_, options_.follow_threshold_m);
+  };
+  for (const auto& submap : closed_) follow(*submap);
+  for (const auto& submap : active_.submaps()) follow(*submap);
+  if (moved) ++changes_;
+}
+
+OccupancyMap GridMapper::Render() const {
+  OccupancyMap map = MergeSubmaps(AllSubmaps(), resolution_m_);
+  map.stamp = stamp_;
+  map.map_id = map_id_;
+  map.revision = keyframes_.revision();
+  return map;
+}
+
+void GridMapper::Reset() {
+  if (submaps() > 0) ++changes_;
+  closed_.clear();
+  active_.Reset();
+  last_T_map_camera_.reset();
+  stamp_ = Stamp();
+}
+
+// Begins anew if the map is a newer one; false if it is an older one.
+bool GridMapper::BelongsToTheMap(int map_id) {
+  if (map_id > map_id_) {
+    Reset();
+    map_id_ = map_id;
+  }
+  return map_id == map_id_;
+}
+
+// Today's pose of the image's keyframe counts, as submaps follow it too; before the graph lists it,
+// what tracking said.
+AnchoredScan GridMapper::Anchored(const PlanarScan& scan, const TrackedImage& image) const {
+  std::optional<Rigid3d> T_map_keyframe;
+  if (keyframes_.map_id() == image.map_id) T_map_keyframe = keyframes_.Find(image.keyframe_id);
+  if (!T_map_keyframe) T_map_keyframe = image.T_map_camera * image.T_keyframe_camera.inverse();
+  const Rigid3d T_map_level = LevelPose(*T_map_keyframe * image.T_keyframe_camera);
+  return {scan, Flattened(T_map_level), image.keyframe_id, *T_map_keyframe,
+          T_map_keyframe->inverse() * T_map_level};
+}
+
+bool GridMapper::HasMoved(const Rigid3d& T_map_camera) const {
+  if (!last_T_map_camera_) return true;
+  const Rigid3d motion = last_T_map_camera_->inverse() * T_map_camera;
+  return motion.translation().norm() > options_.min_motion_m ||
+         RotationAngle(motion.linear()) > options_.min_turn_deg * M_PI / 180.0;
+}
+
+Rigid2d GridMapper::Matched(const PlanarScan& scan, const Rigid2d& T_map_scan) const {
+  if (active_.submaps().empty()) return T_map_scan;
+  const Submap& oldest = *active_.submaps().front();
+  const auto match =
+      matcher_.Match(HitPoints(scan), oldest.grid(), oldest.T_map_submap().inverse() * T_map_scan);
+  return match ? oldest.T_map_submap() * match->T_grid_scan : T_map_scan;
+}
+
+void GridMapper::Close(std::vector<std::unique_ptr<Submap>> submaps) {
+  std::move(submaps.begin(), submaps.end(), std::back_inserter(closed_));
+  while (this->submaps() > static_cast<std::size_t>(options_.max_submaps)) {
+    std::vector<const Submap*> closed = AllSubmaps();
+    closed.resize(closed_.size());
+    closed_.erase(closed_.begin() + static_cast<std::ptrdiff_t>(LeastMissed(closed)));
+  }
+}
+
+// By ascending id.
+std::vector<const Submap*> GridMapper::AllSubmaps() const {
+  std::vector<const Submap*> all;
+  for (const auto& submap : closed_) all.push_back(submap.get());
+  for (const auto& submap : active_.submaps()) all.push_back(submap.get());
+  return all;
+}
+
+}  // namespace semantic_slam
