@@ -43,6 +43,9 @@ TEST(VoxelObservationTest, TheMostProbableLabelMakesAPointTransient) {
   const auto observations = ObservationsOf(cloud, transient);
   EXPECT_TRUE(observations[0].is_transient);
   EXPECT_FALSE(observations[1].is_transient);
+  EXPECT_EQ(observations[0].labels.label(0), 31);
+  EXPECT_EQ(observations[1].labels.Unpacked().Probability(31), 0.0f);
+  EXPECT_NEAR(observations[1].labels.Unpacked().Probability(4), 0.5f, 1e-4f);  // steps of 1/16383
 }
 
 TEST(ObservationCombinerTest, EachPointCountsByItsConfidence) {

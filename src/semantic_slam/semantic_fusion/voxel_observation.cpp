@@ -11,11 +11,12 @@ bool ComesFirst(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-CompactLabels LabelsOf(const SemanticPoint& point) {
+CompactLabels LabelsOf(const SemanticPoint& point, const LabelMask& left_out) {
   LabelDistribution distribution;
   int size = 0;
   for (int i = 0; i < kTopLabels; ++i) {
-    if (point.labels[i] == kUnknownLabel || !(point.confidences[i] > 0.0f)) continue;
+    if (point.labels[i] == kUnknownLabel || left_out[point.labels[i]]) continue;
+    if (!(point.confidences[i] > 0.0f)) continue;
     distribution.labels[size] = point.labels[i];
     distribution.probabilities[size++] = point.confidences[i];
   }
@@ -29,8 +30,10 @@ std::vector<VoxelObservation> ObservationsOf(const SemanticCloud& cloud,
   std::vector<VoxelObservation> observations;
   observations.reserve(cloud.points.size());
   for (const SemanticPoint& point : cloud.points) {
-    observations.push_back(
-        {point.position, point.rgb, LabelsOf(point), 1, transient[point.labels[0]]});
+    const bool is_transient = transient[point.labels[0]];
+    observations.push_back({point.position, point.rgb,
+                            LabelsOf(point, is_transient ? LabelMask() : transient), 1,
+                            is_transient});
   }
   return observations;
 }

@@ -26,8 +26,9 @@ struct VoxelObservation {
 // A set of labels.
 using LabelMask = std::bitset<256>;
 
-// One observation per point; transient are those whose most probable label is in `transient`.
-// Precondition: the cloud passes CheckSemanticCloud().
+// One observation per point. Transient are those whose most probable label is in `transient`; the
+// others say nothing of such labels, so that no map ever shows one. Precondition: the cloud passes
+// CheckSemanticCloud().
 std::vector<VoxelObservation> ObservationsOf(const SemanticCloud& cloud,
                                              const LabelMask& transient);
 

@@ -1,0 +1,117 @@
+#include "semantic_slam/octree/semantic_octree.h"
+
+#include <algorithm>
+#include <istream>
+#include <ostream>
+
+namespace semantic_slam {
+
+// OctoMap keeps the prototype for ever.
+bool SemanticOcTree::Register() {
+  auto* prototype = new SemanticOcTree(0.1);
+  prototype->clearKeyRays();
+  registerTreeType(prototype);
+  return true;
+}
+
+const bool SemanticOcTree::kRegistered = SemanticOcTree::Register();
+
+std::istream& SemanticNode::readData(std::istream& stream) {
+  octomap::OcTreeNode::readData(stream);
+  std::array<std::uint8_t, CompactLabels::kBytes> bytes{};
+  stream.read(reinterpret_cast<char*>(rgb_.data()), rgb_.size());
+  stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+  labels_ = CompactLabels::FromBytes(bytes);
+  return stream;
+}
+
+std::ostream& SemanticNode::writeData(std::ostream& stream) const {
+  octomap::OcTreeNode::writeData(stream);
+  stream.write(reinterpret_cast<const char*>(rgb_.data()), rgb_.size());
+  stream.write(reinterpret_cast<const char*>(labels_.bytes().data()), CompactLabels::kBytes);
+  return stream;
+}
+
+SemanticOcTree::SemanticOcTree(double resolution_m)
+    : OccupancyOcTreeBase<SemanticNode>(resolution_m) {
+  (void)kRegistered;
+}
+
+void SemanticOcTree::SetOccupancy(const OccupancyOptions& options) {
+  setProbHit(options.hit);
+  setProbMiss(options.miss);
+  setClampingThresMin(options.clamp_min);
+  setClampingThresMax(options.clamp_max);
+  setOccupancyThres(options.occupied);
+}
+
+SemanticNode* SemanticOcTree::EnsureRoot(bool* created) {
+  *created = root == nullptr;
+  if (*created) {
+    root = new SemanticNode();
+    ++tree_size;
+  }
+  return root;
+}
+
+void SemanticOcTree::SummariseChildren(SemanticNode* node) {
+  LabelSum labels;
+  std::array<int, 3> rgb{0, 0, 0};
+  int occupied = 0;
+  float log_odds = clamping_thres_min;
+  bool first = true;
+  for (unsigned i = 0; i < 8; ++i) {
+    if (!nodeChildExists(node, i)) continue;
+    const SemanticNode* child = getNodeChild(node, i);
+    log_odds = first ? child->getLogOdds() : std::max(log_odds, child->getLogOdds());
+    first = false;
+    if (!isNodeOccupied(child)) continue;
+    ++occupied;
+    for (int c = 0; c < 3; ++c) rgb[c] += child->rgb()[c];
+    child->labels().AddTo(labels, 1);
+  }
+  node->setLogOdds(log_odds);
+  SemanticNode::Rgb mean{0, 0, 0};
+  for (int c = 0; c < 3 && occupied > 0; ++c)
+    mean[c] = static_cast<std::uint8_t>((rgb[c] + occupied / 2) / occupied);
+  node->SetRgb(mean);
+  node->SetLabels(
+      CompactLabels(labels.Take(std::max(occupied, 1) * CompactLabels::kProbabilityOne)));
+}
+
+octomap::OcTreeKey SemanticOcTree::LowestKey(const octomap::OcTreeKey& key, unsigned depth) const {
+  const unsigned shift = tree_depth - depth;
+  const auto lowest = [shift](octomap::key_type k) {
+    return static_cast<octomap::key_type>((k >> shift) << shift);
+  };
+  return {lowest(key[0]), lowest(key[1]), lowest(key[2])};
+}
+
+bool SemanticOcTree::SameForPruning(const SemanticNode& a, const SemanticNode& b) const {
+  return a.getLogOdds() == b.getLogOdds() && (!isNodeOccupied(a) || a.labels() == b.labels());
+}
+
+bool SemanticOcTree::isNodeCollapsible(const SemanticNode* node) const {
+  if (!nodeChildExists(node, 0)) return false;
+  const SemanticNode* first = getNodeChild(node, 0);
+  for (unsigned i = 0; i < 8; ++i) {
+    if (!nodeChildExists(node, i)) return false;
+    const SemanticNode* child = getNodeChild(node, i);
+    if (nodeHasChildren(child) || !SameForPruning(*first, *child)) return false;
+  }
+  return true;
+}
+
+bool SemanticOcTree::pruneNode(SemanticNode* node) {
+  if (!isNodeCollapsible(node)) return false;
+  SummariseChildren(node);
+  const SemanticNode::Rgb rgb = node->rgb();
+  const CompactLabels labels =
+      isNodeOccupied(node) ? getNodeChild(node, 0)->labels() : CompactLabels();
+  OccupancyOcTreeBase<SemanticNode>::pruneNode(node);
+  node->SetRgb(rgb);
+  node->SetLabels(labels);
+  return true;
+}
+
+}  // namespace semantic_slam
