@@ -49,15 +49,20 @@ RgbdInput::RgbdInput(ros::NodeHandle nh, const RgbdInputOptions& options,
   }
 }
 
+RgbdInput::~RgbdInput() {
+  for (ros::Subscriber* sub : {&colour_sub_, &depth_sub_, &info_sub_}) sub->shutdown();
+  HandOut(pairer_.Flush());
+}
+
 void RgbdInput::OnColour(const ImageMessage& image, const std_msgs::Header& header) {
   if (paused_ || !IsUsable(header, "colour image")) return;
-  HandOut(pairer_.AddColour(ToStamp(header.stamp),
+  Take(pairer_.AddColour(ToStamp(header.stamp),
                             {image, FrameName(header.frame_id), Clock::now()}));
 }
 
 void RgbdInput::OnDepth(const ImageMessage& image, const std_msgs::Header& header) {
   if (paused_ || !IsUsable(header, "depth image")) return;
-  HandOut(pairer_.AddDepth(ToStamp(header.stamp), {image, "", Clock::now()}));
+  Take(pairer_.AddDepth(ToStamp(header.stamp), {image, "", Clock::now()}));
 }
 
 void RgbdInput::OnCameraInfo(const sensor_msgs::CameraInfoConstPtr& msg) {
@@ -79,12 +84,16 @@ bool RgbdInput::IsUsable(const std_msgs::Header& header, const char* what) {
   return true;
 }
 
-void RgbdInput::HandOut(Pairer::Result result) {
+void RgbdInput::Take(Pairer::Result result) {
   if (result.jumped_back) {
     ROS_WARN("image stamps jumped back in time: the map is forgotten, a new one begins");
     StartOver();
   }
-  for (Pairer::Pair& pair : result.pairs) {
+  HandOut(std::move(result.pairs));
+}
+
+void RgbdInput::HandOut(std::vector<Pairer::Pair> pairs) {
+  for (Pairer::Pair& pair : pairs) {
     on_pair_({pair.stamp, pair.depth_stamp, std::move(pair.colour.frame_id),
               std::move(pair.colour.image), std::move(pair.depth.image), intrinsics_, timeline_,
               std::max(pair.colour.received, pair.depth.received)});

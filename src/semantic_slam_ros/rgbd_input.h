@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <ros/node_handle.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -57,6 +58,9 @@ class RgbdInput {
             const semantic_slam::ImagePairerOptions& pairer_options, DropCounter& drops,
             PairCallback on_pair);
 
+  // Hands out the pairs that still wait to be sure that no image to come fits better: none will come.
+  ~RgbdInput();
+
   // Pairs from now on belong to a new timeline: whoever keeps state from the old one forgets it.
   void StartOver() { ++timeline_; }
 
@@ -77,7 +81,8 @@ class RgbdInput {
   void OnDepth(const ImageMessage& image, const std_msgs::Header& header);
   void OnCameraInfo(const sensor_msgs::CameraInfoConstPtr& msg);
   bool IsUsable(const std_msgs::Header& header, const char* what);
-  void HandOut(Pairer::Result result);
+  void HandOut(std::vector<Pairer::Pair> pairs);
+  void Take(Pairer::Result result);
   void CountUnpaired();
 
   DropCounter& drops_;
