@@ -17,7 +17,9 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include "semantic_slam_ros/detection_node.h"
 #include "semantic_slam_ros/param_reader.h"
+#include "semantic_slam_ros/segmentation_node.h"
 #include "semantic_slam_ros/tracking_node.h"
 
 namespace semantic_slam_ros {
@@ -29,7 +31,17 @@ struct Tracking {
   using Parameters = TrackingNodeParameters;
 };
 
-using Nodes = testing::Types<Tracking>;
+struct Segmentation {
+  static constexpr char kName[] = "segmentation";
+  using Parameters = SegmentationNodeParameters;
+};
+
+struct Detection {
+  static constexpr char kName[] = "detection";
+  using Parameters = DetectionNodeParameters;
+};
+
+using Nodes = testing::Types<Tracking, Segmentation, Detection>;
 
 struct Outcome {
   int status;
