@@ -36,6 +36,17 @@ double PlanarWorld::Distance(const Eigen::Vector2d& from_m,
   return nearest_m;
 }
 
+double PlanarWorld::Clearance(const Eigen::Vector2d& from_m) const {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const WallSegment& wall : walls_) {
+    const Eigen::Vector2d along = wall.end_m - wall.begin_m;
+    const double share =
+        std::clamp((from_m - wall.begin_m).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    nearest_m = std::min(nearest_m, (from_m - wall.begin_m - share * along).norm());
+  }
+  return nearest_m;
+}
+
 PlanarScan PlanarWorld::Scan(const Rigid2d& T_world_scan, double field_of_view_rad, int beams,
                              double max_range_m, Stamp stamp) const {
   PlanarScan scan;

@@ -22,6 +22,9 @@ class PlanarWorld {
   // Distance [m] to the first wall from a point along a unit direction; infinite if there is none.
   double Distance(const Eigen::Vector2d& from_m, const Eigen::Vector2d& direction) const;
 
+  // Distance [m] to the nearest wall in any direction.
+  double Clearance(const Eigen::Vector2d& from_m) const;
+
   // `beams` over `field_of_view_rad` about x; a beam that meets no wall is free to the maximum
   // range.
   PlanarScan Scan(const Rigid2d& T_world_scan, double field_of_view_rad, int beams,

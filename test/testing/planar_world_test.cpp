@@ -17,6 +17,11 @@ TEST(PlanarWorldTest, MeasuresDistancesToWalls) {
   EXPECT_TRUE(std::isinf(PlanarCorridor().Distance({0.0, 0.0}, {1.0, 0.0})));
 }
 
+TEST(PlanarWorldTest, MeasuresTheClearance) {
+  EXPECT_NEAR(PlanarRoom().Clearance({-2.0, 1.5}), 0.5, kRounding);
+  EXPECT_NEAR(PlanarRoom().Clearance({-4.0, -2.0}), 1.0, kRounding) << "to a corner, from outside";
+}
+
 TEST(PlanarWorldTest, ScansFromAPose) {
   const PlanarScan scan = PlanarCorridor().Scan(MakeRigid2d({5.0, 0.5}, M_PI / 2), M_PI, 181, 1.2);
   ASSERT_EQ(scan.beams.size(), 181u);
