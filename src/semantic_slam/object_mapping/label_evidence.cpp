@@ -8,8 +8,7 @@ namespace {
 
 constexpr double kLeastConfidence = 0.05;
 constexpr double kMostConfidence = 0.95;
-// Of the most probable class against one never seen: 99.8 % of 63 classes.
-constexpr double kMaxLogOdds = 10.0;
+constexpr double kMaxProbability = 0.99;
 
 }  // namespace
 
@@ -39,7 +38,8 @@ void LabelEvidence::AddLogOdds(LabelId label, double log_odds) {
 void LabelEvidence::Limit() {
   double most = 0.0;
   for (const Weight& weight : weights_) most = std::max(most, weight.log_odds);
-  const double excess = std::max(0.0, most - kMaxLogOdds);
+  const double limit = std::log(kMaxProbability / (1.0 - kMaxProbability) * (classes_ - 1));
+  const double excess = std::max(0.0, most - limit);
   for (Weight& weight : weights_) weight.log_odds = std::max(0.0, weight.log_odds - excess);
 }
 

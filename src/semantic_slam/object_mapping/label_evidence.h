@@ -9,7 +9,8 @@ namespace semantic_slam {
 
 // What an object's detections say together about its class: Bayes' rule over all classes, for a
 // detector that names the class with probability `confidence` and any of the others alike. It never
-// becomes so sure that a hundred other detections could not change its mind. Not thread-safe.
+// becomes surer than 0.99, so that a few detections of another class can change its mind. Not
+// thread-safe.
 class LabelEvidence {
  public:
   // `classes`: how many there are, at least 2.

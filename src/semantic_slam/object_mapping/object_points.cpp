@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <pcl/point_cloud.h>
@@ -66,7 +67,7 @@ class Extraction {
     if (IsTooFew(points_.size())) return std::nullopt;
     RemoveBackgroundPlanes(box);
     RemoveFarBehind();
-    if (IsTooFew(points_.size()) || !KeepLargestCluster()) return std::nullopt;
+    if (IsTooFew(points_.size()) || !KeepLargestCluster() || !SpansBox()) return std::nullopt;
     return ObjectPoints{std::move(points_), std::move(others_), IsComplete(box)};
   }
 
@@ -186,6 +187,21 @@ class Extraction {
     }
     points_.swap(object);
     return true;
+  }
+
+  bool SpansBox() const {
+    Eigen::Array2f low = Eigen::Array2f::Constant(std::numeric_limits<float>::max());
+    Eigen::Array2f high = -low;
+    for (const Eigen::Vector3f& p : points_) {
+      const Eigen::Array2f ray = (p.head<2>() / p.z()).array();
+      low = low.min(ray);
+      high = high.max(ray);
+    }
+    // A reading stands for as many pixels as are between it and the next.
+    const auto width = (high - low).x() * camera_.intrinsics().fx_px + stride_;
+    const auto height = (high - low).y() * camera_.intrinsics().fy_px + stride_;
+    return width >= options_.min_extent_share * inner_.width &&
+           height >= options_.min_extent_share * inner_.height;
   }
 
   const RgbdImage& image_;

@@ -22,6 +22,7 @@ struct ObjectPointsOptions {
   double depth_noise_per_m2 = 0.003;   // added to the tolerance, times depth squared [m^2]
   double min_foreground_share = 0.25;  // of a box's points: never take more away as background
   double max_depth_to_size = 1.5;      // an object is no deeper than this times its width or height
+  double min_extent_share = 0.6;       // of a box's width and height, that its object must span
   int border_px = 3;                   // a box this near to the image's edge may be cut off
 
   template <typename Self, typename Visitor>
@@ -36,6 +37,7 @@ struct ObjectPointsOptions {
     visit("depth_noise_per_m2", self.depth_noise_per_m2, 0.0, 1.0);
     visit("min_foreground_share", self.min_foreground_share, 0.0, 1.0);
     visit("max_depth_to_size", self.max_depth_to_size, 0.1, 100.0);
+    visit("min_extent_share", self.min_extent_share, 0.0, 1.0);
     visit("border_px", self.border_px, 0, 1000);
   }
 };

@@ -8,7 +8,7 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kUpperQuantile = 0.75;
+constexpr double kUpperShare = 0.75;
 constexpr int kDirections = 72;       // in which outlines are compared: every 5 degrees
 constexpr double kPoseSigmaM = 0.01;  // common to all observations: no number of them removes it
 constexpr double kMarginShare =
@@ -23,6 +23,7 @@ struct Placed {
   ConvexPolygon body;
   double lowest;
   double highest;
+  double quality;
 };
 
 ConvexPolygon SeenFromAbove(const std::vector<Eigen::Vector3d>& corners,
@@ -41,47 +42,85 @@ Placed Place(const ObjectObservation& observation, const Rigid3d& T_map_keyframe
           SeenFromAbove(observation.outline, T_map_keyframe),
           SeenFromAbove(observation.body, T_map_keyframe),
           (T_map_keyframe * observation.lowest).z(),
-          (T_map_keyframe * observation.highest).z()};
+          (T_map_keyframe * observation.highest).z(),
+          observation.quality};
 }
 
-double UpperQuantile(std::vector<double> values) {
-  const auto rank = static_cast<std::ptrdiff_t>(
-      std::lround(kUpperQuantile * static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
+// A number that an observation says, and the observation's quality.
+struct Weighted {
+  double value;
+  double weight;
+};
 
-// The polygon that reaches as far in every direction as the upper quartile of `polygons` does; the
-// first of them if they have nothing in common. The directions include the sides of the box around
-// the first polygon, so that rectangles stay so.
-ConvexPolygon FusedOutline(const std::vector<const ConvexPolygon*>& polygons) {
-  if (polygons.empty()) return {};
-  if (polygons.size() == 1) return *polygons.front();
-  const double yaw = MinimumAreaRectangle(*polygons.front()).yaw_rad;
-  const Eigen::Vector2d middle = polygons.front()->front();
-  double reach = 0.0;
-  for (const ConvexPolygon* polygon : polygons) {
-    for (const Eigen::Vector2d& p : *polygon) reach = std::max(reach, (p - middle).norm());
+// Three quarters of the weight are at or below it. Precondition: not empty.
+double UpperQuartile(std::vector<Weighted> values) {
+  std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) {
+    return a.value != b.value ? a.value < b.value : a.weight < b.weight;
+  });
+  double rest = 0.0;
+  for (const Weighted& one : values) rest += kUpperShare * one.weight;
+  for (const Weighted& one : values) {
+    rest -= one.weight;
+    if (rest <= 0.0) return one.value;
   }
-  ConvexPolygon fused{
-      middle + Eigen::Vector2d(-reach, -reach), middle + Eigen::Vector2d(reach, -reach),
-      middle + Eigen::Vector2d(reach, reach), middle + Eigen::Vector2d(-reach, reach)};
+  return values.back().value;
+}
+
+// The placed observations that have such an outline.
+std::vector<const Placed*> WithArea(const std::vector<Placed>& placed,
+                                    ConvexPolygon Placed::*outline) {
+  std::vector<const Placed*> with_area;
+  for (const Placed& one : placed) {
+    if (!(one.*outline).empty()) with_area.push_back(&one);
+  }
+  return with_area;
+}
+
+// A square around all of the outlines.
+ConvexPolygon SquareAround(const std::vector<const Placed*>& placed,
+                           ConvexPolygon Placed::*outline) {
+  const Eigen::Vector2d c = (placed.front()->*outline).front();
+  double reach = 0.0;
+  for (const Placed* one : placed) {
+    for (const Eigen::Vector2d& p : one->*outline) reach = std::max(reach, (p - c).norm());
+  }
+  const Eigen::Vector2d right(reach, 0.0), up(0.0, reach);
+  return {c - right - up, c + right - up, c + right + up, c - right + up};
+}
+
+// The polygon that reaches as far in every direction as the upper quartile of the outlines does;
+// the first of them if they have nothing in common. The directions include the sides of the box
+// around the first outline, so that rectangles stay so.
+ConvexPolygon FusedOutline(const std::vector<Placed>& all, ConvexPolygon Placed::*outline) {
+  const std::vector<const Placed*> placed = WithArea(all, outline);
+  if (placed.empty()) return {};
+  const ConvexPolygon& first = placed.front()->*outline;
+  const double yaw = MinimumAreaRectangle(first).yaw_rad;
+  ConvexPolygon fused = SquareAround(placed, outline);
   for (int i = 0; i < kDirections && !fused.empty(); ++i) {
     const double angle = yaw + 2.0 * M_PI * i / kDirections;
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    std::vector<double> supports;
-    for (const ConvexPolygon* polygon : polygons) supports.push_back(Support(*polygon, direction));
-    fused = ClippedByHalfPlane(fused, direction, UpperQuantile(std::move(supports)));
+    std::vector<Weighted> reaches;
+    for (const Placed* one : placed) {
+      reaches.push_back({Support(one->*outline, direction), one->quality});
+    }
+    fused = ClippedByHalfPlane(fused, direction, UpperQuartile(std::move(reaches)));
   }
   fused = ConvexHull(std::move(fused));
-  return fused.empty() ? *polygons.front() : fused;
+  return fused.empty() ? first : fused;
 }
 
-// The mean weighed by information, and its covariance.
+// The mean weighed by information, and its covariance, over the observations whose centre lies
+// within the fused shape: the others were of something else.
 void FusePositions(const std::vector<Placed>& placed, ObjectShape& shape) {
+  const auto is_inside = [&](const Placed& one) {
+    return Contains(shape.body_m, one.centre.head<2>());
+  };
+  const bool any_inside = std::any_of(placed.begin(), placed.end(), is_inside);
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   for (const Placed& one : placed) {
+    if (any_inside && !is_inside(one)) continue;
     const Eigen::Matrix3d weight = one.covariance.inverse();
     information += weight;
     weighted += weight * one.centre;
@@ -90,15 +129,6 @@ void FusePositions(const std::vector<Placed>& placed, ObjectShape& shape) {
   shape.position_m = covariance * weighted;
   shape.covariance_m2 = 0.5 * (covariance + covariance.transpose()) +
                         kPoseSigmaM * kPoseSigmaM * Eigen::Matrix3d::Identity();
-}
-
-std::vector<const ConvexPolygon*> WithArea(const std::vector<Placed>& placed,
-                                           ConvexPolygon Placed::*polygon) {
-  std::vector<const ConvexPolygon*> polygons;
-  for (const Placed& one : placed) {
-    if (!(one.*polygon).empty()) polygons.push_back(&(one.*polygon));
-  }
-  return polygons;
 }
 
 // The box around an object, thicker by its margin.
@@ -129,24 +159,23 @@ std::optional<ObjectShape> FuseObservations(const std::vector<ObjectObservation>
   const bool any_complete = std::any_of(observations.begin(), observations.end(),
                                         [](const ObjectObservation& o) { return o.complete; });
   std::vector<Placed> placed;
-  std::vector<double> depths_below, heights;  // -lowest and highest: of both the upper quartile
+  std::vector<Weighted> downwards, upwards;  // how far the object reaches
   ObjectShape shape;
   for (const ObjectObservation& observation : observations) {
     if (any_complete && !observation.complete) continue;
     placed.push_back(Place(observation, keyframe_pose(observation.keyframe_id)));
-    depths_below.push_back(-placed.back().lowest);
-    heights.push_back(placed.back().highest);
+    downwards.push_back({-placed.back().lowest, observation.quality});
+    upwards.push_back({placed.back().highest, observation.quality});
     shape.below += observation.below;
   }
-  if (placed.empty()) return std::nullopt;
-  FusePositions(placed, shape);
-  shape.body_m = FusedOutline(WithArea(placed, &Placed::body));
-  shape.outline_m = FusedOutline(WithArea(placed, &Placed::outline));
+  shape.body_m = FusedOutline(placed, &Placed::body);
+  shape.outline_m = FusedOutline(placed, &Placed::outline);
   if (shape.body_m.empty()) return std::nullopt;
   if (shape.outline_m.empty()) shape.outline_m = shape.body_m;
+  FusePositions(placed, shape);
   shape.box = MinimumAreaRectangle(shape.body_m);
-  shape.min_height_m = -UpperQuantile(std::move(depths_below));
-  shape.max_height_m = UpperQuantile(std::move(heights));
+  shape.min_height_m = -UpperQuartile(std::move(downwards));
+  shape.max_height_m = UpperQuartile(std::move(upwards));
   return shape;
 }
 

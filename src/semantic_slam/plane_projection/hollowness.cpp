@@ -105,7 +105,11 @@ SpaceBelow& SpaceBelow::operator+=(const SpaceBelow& other) {
 SpaceBelow LookBelow(const ConvexPolygon& outline_m, double top_height_m,
                      const Eigen::Vector3f& eye_m, const std::vector<Sight>& sights,
                      const HollownessOptions& options) {
-  if (outline_m.empty()) return {};
+  const auto lowest =
+      std::min_element(sights.begin(), sights.end(),
+                       [](const Sight& a, const Sight& b) { return a.end_m.z() < b.end_m.z(); });
+  if (outline_m.empty() || lowest == sights.end()) return {};
+  if (top_height_m - lowest->end_m.z() < options.min_room_m) return {};
   const double ceiling_m = top_height_m - options.clearance_m;
   Columns columns(outline_m, options.column_m);
   for (const Sight& sight : sights) {

@@ -28,6 +28,7 @@ struct SpaceBelow {
 struct HollownessOptions {
   double column_m = 0.05;         // side of a column
   double clearance_m = 0.08;      // below the top, that the top's own thickness may take
+  double min_room_m = 0.25;       // from the top down to what is seen below, for there to be room
   double min_seen_share = 0.2;    // of the columns, to judge by what was seen
   double full_share = 0.75;       // of the seen columns that are free under a table
   double partly_share = 0.25;     // the same under something that is open in parts
@@ -37,6 +38,7 @@ struct HollownessOptions {
   static void Visit(Self& self, Visitor&& visit) {
     visit("column_m", self.column_m, 0.005, 1.0);
     visit("clearance_m", self.clearance_m, 0.0, 1.0);
+    visit("min_room_m", self.min_room_m, 0.0, 10.0);
     visit("min_seen_share", self.min_seen_share, 0.0, 1.0);
     visit("full_share", self.full_share, 0.0, 1.0);
     visit("partly_share", self.partly_share, 0.0, self.full_share);
@@ -51,6 +53,8 @@ struct Sight {
 };
 
 // Follows the lines of sight through the columns below `top_height_m`, all in one frame with z up.
+// Nothing is counted if nothing was seen at least `min_room_m` below the top: under a cup there is
+// its table.
 SpaceBelow LookBelow(const ConvexPolygon& outline_m, double top_height_m,
                      const Eigen::Vector3f& eye_m, const std::vector<Sight>& sights,
                      const HollownessOptions& options);
