@@ -66,8 +66,8 @@ class SemanticMapperTest : public testing::Test {
     return cloud;
   }
 
-  // A wall 2 m before the camera, of tables on the left and chairs on the right, with a point in every
-  // voxel.
+  // A wall 2 m before the camera, of tables on the left and chairs on the right, with a point in
+  // every voxel.
   SemanticCloud Wall(std::int64_t ns, std::uint32_t seed = 1) const {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> jitter(0.003f, 0.022f);
@@ -230,6 +230,17 @@ TEST_F(SemanticMapperTest, AnotherMapBeginsEmpty) {
   mapper.Insert(Wall(2), image);
   EXPECT_TRUE(mapper.FollowGraph(Graph(1, {At(0.0)}, 2)));
   EXPECT_EQ(mapper.tree().size(), 0u);
+}
+
+TEST_F(SemanticMapperTest, TheCamerasPathFollowsTheGraph) {
+  SemanticMapper mapper = Mapper();
+  mapper.FollowGraph(Graph(1, {At(0.0), At(1.0)}));
+  mapper.Insert(Wall(1), Image(1, 0, At(0.1)));
+  mapper.Insert(Wall(2), Image(2, 1, At(0.2)));
+  mapper.FollowGraph(Graph(2, {At(0.0), At(1.02)}));
+  ASSERT_EQ(mapper.CameraPath().size(), 2u);
+  EXPECT_TRUE(mapper.CameraPath()[0].isApprox(Eigen::Vector3d(0.1, 0.0, 0.0)));
+  EXPECT_TRUE(mapper.CameraPath()[1].isApprox(Eigen::Vector3d(1.22, 0.0, 0.0)));
 }
 
 TEST_F(SemanticMapperTest, ResetForgetsTheMapButNotTheGraph) {

@@ -18,8 +18,10 @@
 #include <ros/ros.h>
 
 #include "semantic_slam_ros/detection_node.h"
+#include "semantic_slam_ros/octomap_node.h"
 #include "semantic_slam_ros/param_reader.h"
 #include "semantic_slam_ros/segmentation_node.h"
+#include "semantic_slam_ros/semantic_cloud_node.h"
 #include "semantic_slam_ros/tracking_node.h"
 
 namespace semantic_slam_ros {
@@ -41,7 +43,17 @@ struct Detection {
   using Parameters = DetectionNodeParameters;
 };
 
-using Nodes = testing::Types<Tracking, Segmentation, Detection>;
+struct SemanticCloud {
+  static constexpr char kName[] = "semantic_cloud";
+  using Parameters = SemanticCloudNodeParameters;
+};
+
+struct Octomap {
+  static constexpr char kName[] = "octomap";
+  using Parameters = OctomapNodeParameters;
+};
+
+using Nodes = testing::Types<Tracking, Segmentation, Detection, SemanticCloud, Octomap>;
 
 struct Outcome {
   int status;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "semantic_slam/common/atomic_file.h"
+#include "semantic_slam/evaluation/map_legend.h"
 #include "semantic_slam/evaluation/plot_canvas.h"
 #include "semantic_slam/octree/occupied_voxels.h"
 
@@ -20,11 +20,9 @@ namespace {
 constexpr int kMapSide = 1000;  // about, of the longer side of the map
 constexpr int kMargin = 24;
 constexpr int kLegendWidth = 230;
-constexpr int kLegendRow = 26;
 constexpr int kFooter = 56;
 constexpr double kText = 11.0;
 constexpr int kMinHeight = 320;
-constexpr std::size_t kMaxLegendRows = 32;
 
 constexpr double kDarkest = 0.45;      // of the lowest voxels
 constexpr double kShadow = 0.72;       // beside something higher
@@ -165,41 +163,19 @@ class ColumnImage {
   std::map<LabelId, std::size_t> voxels_per_label_;
 };
 
-void DrawLegend(const std::map<LabelId, std::size_t>& voxels_per_label,
-                const LabelVocabulary& vocabulary, double left, int height, PlotCanvas& canvas) {
+// The classes in the map, those of most voxels first.
+std::vector<LegendEntry> Legend(const std::map<LabelId, std::size_t>& voxels_per_label,
+                                const LabelVocabulary& vocabulary) {
   std::vector<std::pair<LabelId, std::size_t>> rows(voxels_per_label.begin(),
                                                     voxels_per_label.end());
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
-  const auto fitting = static_cast<std::size_t>(std::max(1, (height - 2 * kMargin) / kLegendRow));
-  rows.resize(std::min({rows.size(), fitting, kMaxLegendRows}));
-  double y = kMargin + 0.5 * kLegendRow;
+  std::vector<LegendEntry> entries;
   for (const auto& [label, count] : rows) {
     const LabelClass& shown = vocabulary[vocabulary.Contains(label) ? label : kUnknownLabel];
-    const cv::Scalar colour(shown.rgb[2], shown.rgb[1], shown.rgb[0]);
-    canvas.Square({left + 8.0, y}, 8.0, colour);
-    canvas.Text(shown.name, {left + 26.0, y + 0.5 * kText}, HorizontalAlign::kLeft, kText, kInk);
-    y += kLegendRow;
+    entries.push_back({shown.name, cv::Scalar(shown.rgb[2], shown.rgb[1], shown.rgb[0])});
   }
-}
-
-// A bar of 1, 2 or 5 times a power of ten metres, no longer than `room_px`.
-void DrawScale(double pixels_per_metre, double room_px, cv::Point2d left_end, PlotCanvas& canvas) {
-  const double longest_m = room_px / pixels_per_metre;
-  const double decade = std::pow(10.0, std::floor(std::log10(longest_m)));
-  double length_m = decade;
-  for (const double factor : {2.0, 5.0}) {
-    if (factor * decade <= longest_m) length_m = factor * decade;
-  }
-  const cv::Point2d right_end(left_end.x + length_m * pixels_per_metre, left_end.y);
-  canvas.Line(left_end, right_end, kInk, 3.0);
-  for (const cv::Point2d& end : {left_end, right_end}) {
-    canvas.Line(end - cv::Point2d(0.0, 6.0), end + cv::Point2d(0.0, 6.0), kInk, 3.0);
-  }
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g m", length_m);
-  canvas.Text(text.data(), right_end + cv::Point2d(12.0, 0.5 * kText), HorizontalAlign::kLeft,
-              kText, kInk);
+  return entries;
 }
 
 }  // namespace
@@ -217,8 +193,9 @@ cv::Mat DrawMapFromAbove(const SemanticOcTree& tree, const LabelVocabulary& voca
   const cv::Size size(map.cols + 3 * kMargin + kLegendWidth,
                       std::max(map.rows, kMinHeight) + kMargin + kFooter);
   PlotCanvas canvas(size);
-  DrawLegend(columns.voxels_per_label(), vocabulary, map.cols + 2 * kMargin, size.height, canvas);
-  DrawScale(columns.PixelsPerMetre(), std::max(60.0, 0.3 * map.cols),
+  DrawLegend(Legend(columns.voxels_per_label(), vocabulary), {map.cols + 2.0 * kMargin, kMargin},
+             size.height - 2.0 * kMargin, canvas);
+  DrawScaleBar(columns.PixelsPerMetre(), std::max(60.0, 0.3 * map.cols),
             {1.0 * kMargin, size.height - 0.5 * kFooter}, canvas);
   cv::Mat picture = canvas.Image();
   map.copyTo(picture(cv::Rect(kMargin, kMargin, map.cols, map.rows)));

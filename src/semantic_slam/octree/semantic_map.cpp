@@ -106,6 +106,15 @@ void SemanticMapper::Reset() {
   ++version_;
 }
 
+std::vector<Eigen::Vector3d> SemanticMapper::CameraPath() const {
+  std::vector<Eigen::Vector3d> path;
+  for (const AnchoredCloud& cloud : clouds_.clouds()) {
+    const auto T_map_keyframe = poses_.Find(cloud.keyframe_id);
+    if (T_map_keyframe) path.push_back(*T_map_keyframe * cloud.T_keyframe_camera.translation());
+  }
+  return path;
+}
+
 std::unique_ptr<SemanticOcTree> SemanticMapper::EmptyTree() const {
   auto tree = std::make_unique<SemanticOcTree>(options_.map.resolution_m);
   tree->SetOccupancy(options_.occupancy);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "semantic_slam/common/keyframe_graph.h"
 #include "semantic_slam/common/keyframe_poses.h"
@@ -94,6 +95,9 @@ class SemanticMapper {
 
   // Forgets the map, but not where the keyframes are.
   void Reset();
+
+  // Where the camera was at the clouds that are kept, in the order in which they came.
+  std::vector<Eigen::Vector3d> CameraPath() const;
 
   const SemanticOcTree& tree() const { return *tree_; }
   const LabelVocabulary& vocabulary() const { return *vocabulary_; }

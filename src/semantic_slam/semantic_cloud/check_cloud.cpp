@@ -7,8 +7,8 @@
 namespace semantic_slam {
 namespace {
 
-// Three confidences of at most 1 that were rounded to float each.
-constexpr float kRounding = 1e-5f;
+// Confidences may have been rounded by whoever sent them.
+constexpr float kRounding = 1e-3f;
 
 // Comparisons are written so that NaN fails them.
 bool AreProbabilities(const std::array<float, kTopLabels>& confidences) {

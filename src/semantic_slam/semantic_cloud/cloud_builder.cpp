@@ -87,7 +87,9 @@ class RowReader {
   std::array<const std::uint8_t*, kTopLabels> confidences_;
 };
 
-CloudBuilderOptions Checked(const CloudBuilderOptions& options) {
+}  // namespace
+
+const CloudBuilderOptions& Checked(const CloudBuilderOptions& options) {
   Validate(options);
   if (options.min_depth_m >= options.max_depth_m) {
     std::ostringstream what;
@@ -97,8 +99,6 @@ CloudBuilderOptions Checked(const CloudBuilderOptions& options) {
   }
   return options;
 }
-
-}  // namespace
 
 CloudBuilder::CloudBuilder(const CloudBuilderOptions& options,
                            std::shared_ptr<const CameraModel> camera)

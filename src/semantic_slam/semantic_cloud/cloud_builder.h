@@ -26,11 +26,14 @@ struct CloudBuilderOptions {
   }
 };
 
+// The options. Throws ConfigError if one is out of range or min_depth_m is not below max_depth_m.
+const CloudBuilderOptions& Checked(const CloudBuilderOptions& options);
+
 // Makes the semantic point cloud of an image, thesis section 3.3.2. Immutable, so safe from any
 // thread.
 class CloudBuilder {
  public:
-  // Throws ConfigError if an option is out of range or min_depth_m is not below max_depth_m.
+  // Throws ConfigError as Checked() does.
   CloudBuilder(const CloudBuilderOptions& options, std::shared_ptr<const CameraModel> camera);
 
   // One point per pixel of the grid that has a usable depth: p = depth * ray of the pixel, thesis
