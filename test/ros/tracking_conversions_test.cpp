@@ -1,13 +1,19 @@
 #include "semantic_slam_ros/tracking_conversions.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 
+#include "semantic_slam/common/error.h"
 #include "semantic_slam_ros/conversions.h"
+#include "testing/expect_error.h"
 
 namespace semantic_slam_ros {
 namespace {
 
+using semantic_slam::InputError;
+using semantic_slam::MessageOf;
 using KeyframeArrayMsg = semantic_slam::KeyframeArray;
 using StateMsg = semantic_slam::TrackingState;
 
@@ -47,8 +53,9 @@ TEST(TrackingConversionsTest, KeyframeArrayIsTheWholeGraph) {
   graph.map_id = 1;
   graph.revision = 17;
   graph.reason = semantic_slam::RevisionReason::kLoop;
-  graph.keyframes = {{3, Stamp{10}, SomePose(), semantic_slam::kNoKeyframe, Rigid3d::Identity(), false},
-                     {4, Stamp{20}, SomePose().inverse(), 3, SomePose(), true}};
+  graph.keyframes = {
+      {3, Stamp{10}, SomePose(), semantic_slam::kNoKeyframe, Rigid3d::Identity(), false},
+      {4, Stamp{20}, SomePose().inverse(), 3, SomePose(), true}};
   const KeyframeArrayMsg msg = ToKeyframeArray(graph, "map");
   EXPECT_EQ(ToStamp(msg.header.stamp), Stamp{20});
   EXPECT_EQ(msg.map_id, 1);
@@ -64,6 +71,121 @@ TEST(TrackingConversionsTest, KeyframeArrayIsTheWholeGraph) {
 
 TEST(TrackingConversionsTest, EmptyGraphIsAnEmptyArray) {
   EXPECT_TRUE(ToKeyframeArray(semantic_slam::KeyframeGraph(), "map").keyframes.empty());
+}
+
+StateMsg GoodState() {
+  semantic_slam::TrackedImage image;
+  image.stamp = Stamp{1305031453359684001};
+  image.status = semantic_slam::TrackingStatus::kTracking;
+  image.map_id = 2;
+  image.keyframe_id = 41;
+  image.T_keyframe_camera = SomePose();
+  image.T_map_camera = SomePose().inverse();
+  image.T_odom_camera = SomePose() * SomePose();
+  image.inliers = 123;
+  image.is_keyframe = true;
+  return ToTrackingState(image, "map", "camera");
+}
+
+std::string StateError(const StateMsg& msg) {
+  return MessageOf<InputError>([&] { ToTrackedImage(msg); });
+}
+
+TEST(TrackingConversionsTest, ReadsAStateBack) {
+  const semantic_slam::TrackedImage image = ToTrackedImage(GoodState());
+  EXPECT_EQ(image.stamp, Stamp{1305031453359684001});
+  EXPECT_EQ(image.status, semantic_slam::TrackingStatus::kTracking);
+  EXPECT_EQ(image.map_id, 2);
+  EXPECT_EQ(image.keyframe_id, 41);
+  EXPECT_EQ(image.inliers, 123);
+  EXPECT_TRUE(image.is_keyframe);
+  // 1e-12: a quaternion in between.
+  EXPECT_TRUE(image.T_keyframe_camera.isApprox(SomePose(), 1e-12));
+  EXPECT_TRUE(image.T_map_camera.isApprox(SomePose().inverse(), 1e-12));
+  EXPECT_TRUE(image.T_odom_camera.isApprox(SomePose() * SomePose(), 1e-12));
+}
+
+TEST(TrackingConversionsTest, DoesNotLookAtPosesOfALostCamera) {
+  StateMsg msg = GoodState();
+  msg.state = StateMsg::STATE_LOST;
+  msg.T_map_camera = geometry_msgs::Pose();  // no rotation
+  const semantic_slam::TrackedImage image = ToTrackedImage(msg);
+  EXPECT_EQ(image.status, semantic_slam::TrackingStatus::kLost);
+  EXPECT_TRUE(image.T_map_camera.isApprox(Rigid3d::Identity()));
+  EXPECT_EQ(image.keyframe_id, semantic_slam::kNoKeyframe);
+}
+
+TEST(TrackingConversionsTest, RefusesStatesThatAreNone) {
+  StateMsg msg = GoodState();
+  msg.header.stamp = ros::Time();
+  EXPECT_EQ(StateError(msg), "tracking_state: has no stamp");
+  msg = GoodState();
+  msg.state = 3;
+  EXPECT_EQ(StateError(msg), "tracking_state: state is 3, expected 0 to 2");
+  msg = GoodState();
+  msg.keyframe_id = StateMsg::NO_KEYFRAME;
+  EXPECT_EQ(StateError(msg), "tracking_state: keyframe_id is -1 while tracking");
+  for (auto pose :
+       {&StateMsg::T_keyframe_camera, &StateMsg::T_map_camera, &StateMsg::T_odom_camera}) {
+    msg = GoodState();
+    (msg.*pose).position.x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(StateError(msg), "tracking_state: transform has a number that is not finite");
+  }
+}
+
+KeyframeArrayMsg GoodGraph() {
+  semantic_slam::KeyframeGraph graph;
+  graph.map_id = 1;
+  graph.revision = 17;
+  graph.reason = semantic_slam::RevisionReason::kLoop;
+  graph.keyframes = {
+      {3, Stamp{10}, SomePose(), semantic_slam::kNoKeyframe, Rigid3d::Identity(), false},
+      {4, Stamp{20}, SomePose().inverse(), 3, SomePose(), true}};
+  return ToKeyframeArray(graph, "map");
+}
+
+std::string GraphError(const KeyframeArrayMsg& msg) {
+  return MessageOf<InputError>([&] { ToKeyframeGraph(msg); });
+}
+
+TEST(TrackingConversionsTest, ReadsAGraphBack) {
+  const semantic_slam::KeyframeGraph graph = ToKeyframeGraph(GoodGraph());
+  EXPECT_EQ(graph.map_id, 1);
+  EXPECT_EQ(graph.revision, 17u);
+  EXPECT_EQ(graph.reason, semantic_slam::RevisionReason::kLoop);
+  ASSERT_EQ(graph.keyframes.size(), 2u);
+  EXPECT_EQ(graph.keyframes[0].parent_id, semantic_slam::kNoKeyframe);
+  EXPECT_EQ(graph.keyframes[1].id, 4);
+  EXPECT_EQ(graph.keyframes[1].stamp, Stamp{20});
+  EXPECT_EQ(graph.keyframes[1].parent_id, 3);
+  EXPECT_TRUE(graph.keyframes[1].culled);
+  EXPECT_TRUE(graph.keyframes[1].T_map_keyframe.isApprox(SomePose().inverse(), 1e-12));
+  EXPECT_TRUE(graph.keyframes[1].T_parent_keyframe.isApprox(SomePose(), 1e-12));
+}
+
+TEST(TrackingConversionsTest, ReadsAnEmptyGraph) {
+  EXPECT_TRUE(ToKeyframeGraph(KeyframeArrayMsg()).keyframes.empty());
+}
+
+TEST(TrackingConversionsTest, RefusesGraphsThatAreNone) {
+  KeyframeArrayMsg msg = GoodGraph();
+  msg.reason = 5;
+  EXPECT_EQ(GraphError(msg), "keyframes: reason is 5, expected 0 to 4");
+  msg = GoodGraph();
+  msg.keyframes[1].id = 3;
+  EXPECT_EQ(GraphError(msg), "keyframes: keyframe 3 follows 3, expected ascending ids");
+  msg = GoodGraph();
+  msg.keyframes[0].id = -1;
+  EXPECT_EQ(GraphError(msg), "keyframes: keyframe -1 follows -1, expected ascending ids");
+  msg = GoodGraph();
+  msg.keyframes[1].parent_id = 2;
+  EXPECT_EQ(GraphError(msg), "keyframes: parent of keyframe 4 is 2, which is not listed");
+  msg.keyframes[1].parent_id = 4;
+  EXPECT_EQ(GraphError(msg), "keyframes: parent of keyframe 4 is 4, which is not listed");
+  msg = GoodGraph();
+  msg.keyframes[1].T_map_keyframe = geometry_msgs::Pose();
+  EXPECT_EQ(GraphError(msg),
+            "keyframes: keyframe 4: transform's quaternion has length 0.000000, expected 1");
 }
 
 TEST(TrackingConversionsTest, PathHasAStampedPosePerPose) {
