@@ -107,5 +107,31 @@ TEST(PlotCanvasTest, DropsWhatLiesOutside) {
   EXPECT_FALSE(InkBox(canvas.Image()).empty());
 }
 
+TEST(PlotCanvasTest, PastesAPictureAsItIs) {
+  PlotCanvas canvas({20, 10});
+  cv::Mat picture(2, 3, CV_8UC3, cv::Scalar(kRedInk));
+  picture.at<cv::Vec3b>(1, 2) = {1, 2, 3};
+  canvas.Paste(picture, {5, 4});
+  const cv::Mat image = canvas.Image();
+  EXPECT_EQ(InkBox(image), cv::Rect(5, 4, 3, 2));
+  EXPECT_EQ(image.at<cv::Vec3b>(4, 5), kRed);
+  EXPECT_EQ(image.at<cv::Vec3b>(5, 7), cv::Vec3b(1, 2, 3));
+}
+
+TEST(PlotCanvasTest, ARimSetsTextOffFromAPicture) {
+  PlotCanvas plain({60, 30}), rimmed({60, 30});
+  const cv::Mat red(30, 60, CV_8UC3, cv::Scalar(kRedInk));
+  for (PlotCanvas* canvas : {&plain, &rimmed}) canvas->Paste(red, {0, 0});
+  plain.Text("x", {30.0, 20.0}, HorizontalAlign::kCentre, 10.0, {0, 0, 0});
+  rimmed.RimmedText("x", {30.0, 20.0}, HorizontalAlign::kCentre, 10.0, {0, 0, 0});
+  const auto count_white = [](const cv::Mat& image) {
+    cv::Mat white;
+    cv::inRange(image, cv::Scalar::all(250), cv::Scalar::all(255), white);
+    return cv::countNonZero(white);
+  };
+  EXPECT_EQ(count_white(plain.Image()), 0);
+  EXPECT_GT(count_white(rimmed.Image()), 10);
+}
+
 }  // namespace
 }  // namespace semantic_slam

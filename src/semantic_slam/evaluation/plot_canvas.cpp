@@ -96,15 +96,33 @@ void PlotCanvas::Square(cv::Point2d centre, double half_side, const cv::Scalar& 
   box(half_side, colour);
 }
 
+void PlotCanvas::Paste(const cv::Mat& picture, cv::Point top_left) {
+  const cv::Rect box(top_left * kOversampling, picture.size() * kOversampling);
+  cv::resize(picture, pixels_(box), box.size(), 0.0, 0.0, cv::INTER_NEAREST);
+}
+
 void PlotCanvas::Text(const std::string& text, cv::Point2d anchor, HorizontalAlign align,
                       double height, const cv::Scalar& colour) {
+  PutText(text, anchor, align, height, colour, 0.0);
+}
+
+void PlotCanvas::RimmedText(const std::string& text, cv::Point2d anchor, HorizontalAlign align,
+                            double height, const cv::Scalar& colour) {
+  PutText(text, anchor, align, height, kWhite, 1.5);
+  PutText(text, anchor, align, height, colour, 0.0);
+}
+
+// `rim` [px] is how much wider than usual the strokes are to either side.
+void PlotCanvas::PutText(const std::string& text, cv::Point2d anchor, HorizontalAlign align,
+                         double height, const cv::Scalar& colour, double rim) {
   const Lettering lettering(height);
   const double width = TextSize(text, lettering).width;
   double left = anchor.x * kOversampling;
   if (align == HorizontalAlign::kCentre) left -= 0.5 * width;
   if (align == HorizontalAlign::kRight) left -= width;
   cv::putText(pixels_, text, {cvRound(left), cvRound(anchor.y * kOversampling)}, kFont,
-              lettering.scale, colour, lettering.thickness, cv::LINE_AA);
+              lettering.scale, colour, lettering.thickness + cvRound(2.0 * rim * kOversampling),
+              cv::LINE_AA);
 }
 
 void PlotCanvas::VerticalText(const std::string& text, cv::Point2d centre, double height,

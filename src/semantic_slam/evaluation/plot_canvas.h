@@ -23,10 +23,15 @@ class PlotCanvas {
   // Filled, with a white rim that sets it off from what lies beneath.
   void Dot(cv::Point2d centre, double radius, const cv::Scalar& colour);
   void Square(cv::Point2d centre, double half_side, const cv::Scalar& colour);
+  // A picture as it is, CV_8UC3. Precondition: it lies inside the page.
+  void Paste(const cv::Mat& picture, cv::Point top_left);
 
   // ASCII only. `anchor` is on the base line; `height` is that of a capital letter.
   void Text(const std::string& text, cv::Point2d anchor, HorizontalAlign align, double height,
             const cv::Scalar& colour);
+  // The same with a white rim, for pictures beneath.
+  void RimmedText(const std::string& text, cv::Point2d anchor, HorizontalAlign align, double height,
+                  const cv::Scalar& colour);
   // Upwards, centred on `centre`.
   void VerticalText(const std::string& text, cv::Point2d centre, double height,
                     const cv::Scalar& colour);
@@ -35,6 +40,9 @@ class PlotCanvas {
   cv::Mat Image() const;  // CV_8UC3
 
  private:
+  void PutText(const std::string& text, cv::Point2d anchor, HorizontalAlign align, double height,
+               const cv::Scalar& colour, double rim);
+
   cv::Size size_;
   cv::Mat pixels_;  // larger than size_
 };

@@ -196,7 +196,7 @@ cv::Mat DrawMapFromAbove(const SemanticOcTree& tree, const LabelVocabulary& voca
   DrawLegend(Legend(columns.voxels_per_label(), vocabulary), {map.cols + 2.0 * kMargin, kMargin},
              size.height - 2.0 * kMargin, canvas);
   DrawScaleBar(columns.PixelsPerMetre(), std::max(60.0, 0.3 * map.cols),
-            {1.0 * kMargin, size.height - 0.5 * kFooter}, canvas);
+               {1.0 * kMargin, size.height - 0.5 * kFooter}, canvas);
   cv::Mat picture = canvas.Image();
   map.copyTo(picture(cv::Rect(kMargin, kMargin, map.cols, map.rows)));
   return picture;
