@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/semantic_grid/semantic_costs.h"
 #include "semantic_slam_ros/conversions.h"
 
 namespace semantic_slam_ros {
@@ -153,20 +154,13 @@ SemanticCells ToSemanticCells(const GridMsg& msg, const LabelVocabulary& vocabul
   return cells;
 }
 
-std::int8_t ToOccupancy(std::uint8_t cost) {
-  if (cost == SemanticCells::kFree) return 0;
-  if (cost == SemanticCells::kInscribed) return 99;
-  if (cost == SemanticCells::kLethal) return 100;
-  if (cost == SemanticCells::kUnknown) return OccupancyMap::kUnknown;
-  return static_cast<std::int8_t>(1 + 97 * (cost - 1) / 251);
-}
-
 nav_msgs::OccupancyGrid ToOccupancyGrid(const SemanticCells& cells, const std::string& map_frame) {
   nav_msgs::OccupancyGrid msg;
   msg.header = MakeHeader(cells.stamp, map_frame);
   msg.info = ToMetaData(cells);
   msg.data.reserve(cells.cost.size());
-  std::transform(cells.cost.begin(), cells.cost.end(), std::back_inserter(msg.data), ToOccupancy);
+  std::transform(cells.cost.begin(), cells.cost.end(), std::back_inserter(msg.data),
+                 semantic_slam::ToOccupancyPercent);
   return msg;
 }
 

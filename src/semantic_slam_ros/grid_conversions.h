@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include <nav_msgs/OccupancyGrid.h>
@@ -26,11 +25,7 @@ semantic_slam::SemanticGrid ToSemanticGrid(const semantic_slam::SemanticCells& c
 semantic_slam::SemanticCells ToSemanticCells(const semantic_slam::SemanticGrid& msg,
                                              const semantic_slam::LabelVocabulary& vocabulary);
 
-// A cost as costmap_2d publishes it in an OccupancyGrid: free 0, inscribed 99, lethal 100, unknown
-// -1, and what is between on 1..98 in proportion.
-std::int8_t ToOccupancy(std::uint8_t cost);
-
-// The cost alone, for planners and viewers that know no SemanticGrid.
+// The cost alone, for planners and viewers that know no SemanticGrid; see ToOccupancyPercent().
 nav_msgs::OccupancyGrid ToOccupancyGrid(const semantic_slam::SemanticCells& cells,
                                         const std::string& map_frame);
 

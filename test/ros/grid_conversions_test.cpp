@@ -156,19 +156,6 @@ TEST(SemanticGridTest, RefusesWhatIsMalformed) {
   }
 }
 
-TEST(SemanticGridTest, CostsAreThoseThatCostmap2dPublishes) {
-  EXPECT_EQ(ToOccupancy(0), 0);
-  EXPECT_EQ(ToOccupancy(1), 1);
-  EXPECT_EQ(ToOccupancy(252), 98);
-  EXPECT_EQ(ToOccupancy(253), 99);
-  EXPECT_EQ(ToOccupancy(254), 100);
-  EXPECT_EQ(ToOccupancy(255), -1);
-  for (int cost = 1; cost < 255; ++cost) {
-    EXPECT_GE(ToOccupancy(static_cast<std::uint8_t>(cost)),
-              ToOccupancy(static_cast<std::uint8_t>(cost - 1)));
-  }
-}
-
 TEST(SemanticGridTest, TheCostAloneIsAnOccupancyGrid) {
   const OccupancyGrid msg = ToOccupancyGrid(SomeCells(), "map");
   EXPECT_EQ(msg.info.width, 2u);

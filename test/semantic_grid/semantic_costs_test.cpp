@@ -100,6 +100,19 @@ TEST(SemanticCostsTest, OnlyASureObjectMakesAnUnknownCellKnown) {
   EXPECT_EQ(costs.Combined(kUnknown, 1.0, 0.0), kUnknown) << "a mat does not make a cell free";
 }
 
+TEST(SemanticCostsTest, PublishesCostsAsCostmap2dDoes) {
+  EXPECT_EQ(ToOccupancyPercent(0), 0);
+  EXPECT_EQ(ToOccupancyPercent(1), 1);
+  EXPECT_EQ(ToOccupancyPercent(252), 98);
+  EXPECT_EQ(ToOccupancyPercent(253), 99);
+  EXPECT_EQ(ToOccupancyPercent(254), 100);
+  EXPECT_EQ(ToOccupancyPercent(255), -1);
+  for (int cost = 1; cost < 255; ++cost) {
+    EXPECT_GE(ToOccupancyPercent(static_cast<std::uint8_t>(cost)),
+              ToOccupancyPercent(static_cast<std::uint8_t>(cost - 1)));
+  }
+}
+
 TEST(SemanticCostsTest, RefusesOptionsThatContradictEachOther) {
   SemanticCostOptions options = Options();
   options.free_probability = 0.8;

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "semantic_grid/small_plan.h"
 #include "semantic_slam/common/error.h"
 #include "testing/expect_error.h"
-#include "testing/small_vocabulary.h"
 
 namespace semantic_slam {
 namespace {
@@ -15,44 +15,6 @@ namespace {
 constexpr std::uint8_t kFree = SemanticCells::kFree;
 constexpr std::uint8_t kLethal = SemanticCells::kLethal;
 constexpr std::uint8_t kUnknown = SemanticCells::kUnknown;
-
-// Free space of 10 x 10 cells of 10 cm, from (0, 0) m.
-OccupancyMap FreeRoom() {
-  OccupancyMap map;
-  map.stamp = Stamp{5};
-  map.map_id = 1;
-  map.revision = 3;
-  map.resolution_m = 0.1;
-  map.width = map.height = 10;
-  map.cells.assign(100, 0);
-  return map;
-}
-
-// A table of 0.4 x 0.2 m, from (0.2, 0.3) to (0.6, 0.5) m, 0.7 m high; its position is certain.
-MapObject Table() {
-  MapObject table;
-  table.id = 1;
-  table.labels = {{4, 1.0f}};
-  table.position_m = {0.4, 0.4, 0.35};
-  table.position_covariance_m2 = Eigen::Matrix3d::Zero();
-  table.T_map_box.translation() = table.position_m;
-  table.box_size_m = {0.4, 0.2, 0.7};
-  table.min_height_m = 0.0;
-  table.max_height_m = 0.7;
-  table.hollow = Hollowness::kFull;
-  table.footprint_m = {{0.2, 0.3}, {0.6, 0.3}, {0.6, 0.5}, {0.2, 0.5}};
-  return table;
-}
-
-ObjectMap MapOf(std::vector<MapObject> objects) {
-  ObjectMap map;
-  map.stamp = Stamp{7};
-  map.map_id = 2;
-  map.revision = 9;
-  map.vocabulary_hash = SmallVocabulary().hash();
-  map.objects = std::move(objects);
-  return map;
-}
 
 SemanticGridBuilder Builder(SemanticGridOptions options = {}, double flight_height_m = 0.5) {
   SemanticCostOptions costs;
@@ -69,7 +31,7 @@ int Count(const SemanticCells& cells, std::uint8_t cost) {
 }
 
 TEST(SemanticGridBuilderTest, OccupancyAloneIsTheCost) {
-  OccupancyMap map = FreeRoom();
+  OccupancyMap map = FreePlan();
   map.cells[0] = 100;
   map.cells[1] = OccupancyMap::kUnknown;
   const SemanticCells cells = Builder().Build(map, ObjectMap());
@@ -89,9 +51,9 @@ TEST(SemanticGridBuilderTest, OccupancyAloneIsTheCost) {
 
 // Thesis section 3.4.3: the map shows four legs, the robot must not fly between them.
 TEST(SemanticGridBuilderTest, ATableOfWhichTheMapShowsTheLegsBecomesAnArea) {
-  OccupancyMap map = FreeRoom();
+  OccupancyMap map = FreePlan();
   for (const int leg : {32, 35, 42, 45}) map.cells[leg] = 100;
-  const SemanticCells cells = Builder().Build(map, MapOf({Table()}));
+  const SemanticCells cells = Builder().Build(map, ObjectMapOf({SmallTable()}));
   EXPECT_EQ(Count(cells, kLethal), 8) << "4 x 2 cells";
   for (int y = 3; y < 5; ++y) {
     for (int x = 2; x < 6; ++x) {
@@ -110,38 +72,38 @@ TEST(SemanticGridBuilderTest, ATableOfWhichTheMapShowsTheLegsBecomesAnArea) {
 }
 
 TEST(SemanticGridBuilderTest, ARobotThatFliesOverTheTableSeesItWithoutCost) {
-  const SemanticCells over = Builder({}, 0.85).Build(FreeRoom(), MapOf({Table()}));
+  const SemanticCells over = Builder({}, 0.85).Build(FreePlan(), ObjectMapOf({SmallTable()}));
   EXPECT_EQ(Count(over, kFree), 100);
   EXPECT_EQ(over.labels[3 * Cell(over, 3, 3)], 4);
   EXPECT_EQ(over.max_height_m[Cell(over, 3, 3)], 0.7f);
-  const SemanticCells too_low = Builder({}, 0.75).Build(FreeRoom(), MapOf({Table()}));
+  const SemanticCells too_low = Builder({}, 0.75).Build(FreePlan(), ObjectMapOf({SmallTable()}));
   EXPECT_EQ(Count(too_low, kLethal), 8) << "the margin is 0.1 m";
 }
 
 TEST(SemanticGridBuilderTest, AClassWithoutCostNeverRaisesIt) {
-  MapObject mat = Table();
+  MapObject mat = SmallTable();
   mat.labels = {{2, 1.0f}};
-  const SemanticCells cells = Builder().Build(FreeRoom(), MapOf({mat}));
+  const SemanticCells cells = Builder().Build(FreePlan(), ObjectMapOf({mat}));
   EXPECT_EQ(Count(cells, kFree), 100);
   EXPECT_EQ(cells.labels[3 * Cell(cells, 3, 3)], 2);
 }
 
 TEST(SemanticGridBuilderTest, ACheaperClassCostsLess) {
-  MapObject chair = Table();
+  MapObject chair = SmallTable();
   chair.labels = {{3, 0.75f}};
-  const SemanticCells cells = Builder().Build(FreeRoom(), MapOf({chair}));
+  const SemanticCells cells = Builder().Build(FreePlan(), ObjectMapOf({chair}));
   EXPECT_EQ(Count(cells, 100), 8);
   EXPECT_EQ(cells.probabilities[3 * Cell(cells, 3, 3)], 191) << "floor(255 * 0.75)";
 }
 
 TEST(SemanticGridBuilderTest, HeightsSpanWhatStandsInTheCell) {
-  MapObject lamp = Table();
+  MapObject lamp = SmallTable();
   lamp.id = 2;
   lamp.labels = {{9, 1.0f}};
   lamp.footprint_m = {{0.2, 0.3}, {0.3, 0.3}, {0.3, 0.4}, {0.2, 0.4}};
   lamp.min_height_m = 0.7;
   lamp.max_height_m = 1.1;
-  const SemanticCells cells = Builder().Build(FreeRoom(), MapOf({Table(), lamp}));
+  const SemanticCells cells = Builder().Build(FreePlan(), ObjectMapOf({SmallTable(), lamp}));
   const std::size_t both = Cell(cells, 2, 3), table_only = Cell(cells, 3, 3);
   EXPECT_EQ(cells.min_height_m[both], 0.0f);
   EXPECT_EQ(cells.max_height_m[both], 1.1f);
@@ -150,9 +112,9 @@ TEST(SemanticGridBuilderTest, HeightsSpanWhatStandsInTheCell) {
 }
 
 TEST(SemanticGridBuilderTest, GrowsInWholeCellsSoThatAllFits) {
-  MapObject table = Table();
+  MapObject table = SmallTable();
   for (Eigen::Vector2d& corner : table.footprint_m) corner -= Eigen::Vector2d(1.0, 0.0);
-  const SemanticCells cells = Builder().Build(FreeRoom(), MapOf({table}));
+  const SemanticCells cells = Builder().Build(FreePlan(), ObjectMapOf({table}));
   EXPECT_EQ(cells.width, 18) << "from -0.8 to 1.0 m";
   EXPECT_EQ(cells.height, 10);
   // 1e-12: eight times 0.1.
@@ -167,7 +129,7 @@ TEST(SemanticGridBuilderTest, GrowsInWholeCellsSoThatAllFits) {
 TEST(SemanticGridBuilderTest, WorksWithoutAMap) {
   SemanticGridOptions options;
   options.resolution_m = 0.1;
-  const SemanticCells cells = Builder(options).Build(OccupancyMap(), MapOf({Table()}));
+  const SemanticCells cells = Builder(options).Build(OccupancyMap(), ObjectMapOf({SmallTable()}));
   EXPECT_EQ(cells.width, 4);
   EXPECT_EQ(cells.height, 2);
   EXPECT_EQ(Count(cells, kLethal), 8);
@@ -183,12 +145,12 @@ TEST(SemanticGridBuilderTest, NothingAtAllIsAnEmptyGrid) {
 }
 
 TEST(SemanticGridBuilderTest, AnUncertainPositionBlursWithABound) {
-  MapObject table = Table();
+  MapObject table = SmallTable();
   table.footprint_m = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
   table.position_covariance_m2 = Eigen::Matrix3d::Identity();  // a metre
   SemanticGridOptions options;
   options.max_position_sigma_m = 0.1;
-  const SemanticCells cells = Builder(options).Build(FreeRoom(), MapOf({table}));
+  const SemanticCells cells = Builder(options).Build(FreePlan(), ObjectMapOf({table}));
   EXPECT_EQ(cells.width, 16) << "three standard deviations to either side";
   EXPECT_EQ(cells.cost[Cell(cells, 8, 8)], kLethal) << "the middle is sure";
   const auto probability = [&](int x) { return cells.probabilities[3 * Cell(cells, x, 8)]; };
@@ -198,42 +160,42 @@ TEST(SemanticGridBuilderTest, AnUncertainPositionBlursWithABound) {
 }
 
 TEST(SemanticGridBuilderTest, AnObjectWithoutFootprintCoversItsBox) {
-  MapObject table = Table();
+  MapObject table = SmallTable();
   table.footprint_m.clear();
-  EXPECT_EQ(Count(Builder().Build(FreeRoom(), MapOf({table})), kLethal), 8);
+  EXPECT_EQ(Count(Builder().Build(FreePlan(), ObjectMapOf({table})), kLethal), 8);
   table.footprint_m = {{0.2, 0.3}, {0.6, 0.3}};  // a line has no area
-  EXPECT_EQ(Count(Builder().Build(FreeRoom(), MapOf({table})), kLethal), 8);
+  EXPECT_EQ(Count(Builder().Build(FreePlan(), ObjectMapOf({table})), kLethal), 8);
   table.box_size_m = {0.4, 0.0, 0.7};
-  EXPECT_EQ(Count(Builder().Build(FreeRoom(), MapOf({table})), kLethal), 0);
+  EXPECT_EQ(Count(Builder().Build(FreePlan(), ObjectMapOf({table})), kLethal), 0);
 }
 
 TEST(SemanticGridBuilderTest, LeavesOutWhatWouldMakeTheGridTooLong) {
   SemanticGridOptions options;
   options.max_side_m = 2.0;
-  MapObject far = Table(), farther = Table();
+  MapObject far = SmallTable(), farther = SmallTable();
   for (Eigen::Vector2d& corner : far.footprint_m) corner.x() += 1.2;
   for (Eigen::Vector2d& corner : farther.footprint_m) corner.x() += 1e12;
-  const SemanticCells cells = Builder(options).Build(FreeRoom(), MapOf({far, farther}));
+  const SemanticCells cells = Builder(options).Build(FreePlan(), ObjectMapOf({far, farther}));
   EXPECT_EQ(cells.width, 18);
   for (Eigen::Vector2d& corner : far.footprint_m) corner.x() += 1.0;
-  EXPECT_EQ(Builder(options).Build(FreeRoom(), MapOf({far})).width, 10);
+  EXPECT_EQ(Builder(options).Build(FreePlan(), ObjectMapOf({far})).width, 10);
 }
 
 TEST(SemanticGridBuilderTest, TheSameInputGivesTheSameGrid) {
-  const ObjectMap objects = MapOf({Table()});
-  const SemanticCells a = Builder().Build(FreeRoom(), objects);
-  const SemanticCells b = Builder().Build(FreeRoom(), objects);
+  const ObjectMap objects = ObjectMapOf({SmallTable()});
+  const SemanticCells a = Builder().Build(FreePlan(), objects);
+  const SemanticCells b = Builder().Build(FreePlan(), objects);
   EXPECT_EQ(a.cost, b.cost);
   EXPECT_EQ(a.labels, b.labels);
   EXPECT_EQ(a.probabilities, b.probabilities);
 }
 
 TEST(SemanticGridBuilderTest, RefusesInputThatDoesNotFit) {
-  ObjectMap objects = MapOf({Table()});
+  ObjectMap objects = ObjectMapOf({SmallTable()});
   objects.vocabulary_hash = 1;
-  ExpectOneLineWith(MessageOf<InputError>([&] { Builder().Build(FreeRoom(), objects); }),
+  ExpectOneLineWith(MessageOf<InputError>([&] { Builder().Build(FreePlan(), objects); }),
                     {"another label set, hash 1"});
-  OccupancyMap map = FreeRoom();
+  OccupancyMap map = FreePlan();
   map.cells.pop_back();
   ExpectOneLineWith(MessageOf<InputError>([&] { Builder().Build(map, ObjectMap()); }),
                     {"an occupancy map of 10 x 10 has 99 cells"});

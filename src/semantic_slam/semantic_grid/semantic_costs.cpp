@@ -47,4 +47,12 @@ std::uint8_t SemanticCosts::Combined(std::uint8_t map_cost, double probability,
   return is_known ? cost : map_cost;
 }
 
+std::int8_t ToOccupancyPercent(std::uint8_t cost) {
+  if (cost == SemanticCells::kFree) return 0;
+  if (cost == SemanticCells::kInscribed) return 99;
+  if (cost == SemanticCells::kLethal) return 100;
+  if (cost == SemanticCells::kUnknown) return OccupancyMap::kUnknown;
+  return static_cast<std::int8_t>(1 + 97 * (cost - 1) / 251);
+}
+
 }  // namespace semantic_slam

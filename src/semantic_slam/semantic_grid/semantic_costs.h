@@ -57,4 +57,8 @@ class SemanticCosts {
   const SemanticCostOptions options_;
 };
 
+// A cost as costmap_2d publishes it in an OccupancyGrid: free 0, inscribed 99, lethal 100, unknown
+// -1, and what is between on 1..98 in proportion.
+std::int8_t ToOccupancyPercent(std::uint8_t cost);
+
 }  // namespace semantic_slam
