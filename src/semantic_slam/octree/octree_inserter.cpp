@@ -64,9 +64,9 @@ void CheckRangeInVoxels(const OctreeInserterOptions& options, double resolution_
 OctreeInserter::OctreeInserter(const OctreeInserterOptions& options, const LabelFusion& fusion)
     : options_(Checked(options)), fusion_(fusion) {}
 
-std::vector<VoxelObservation> OctreeInserter::Insert(
-    const std::vector<VoxelObservation>& observations, const Rigid3d& T_map_camera,
-    SemanticOcTree& tree) {
+std::vector<VoxelObservation> OctreeInserter::Insert(const Observations& observations,
+                                                     const Rigid3d& T_map_camera,
+                                                     SemanticOcTree& tree) {
   CheckInRange(
       "max_clear_range_m in voxels",
       std::max(options_.max_clear_range_m, options_.max_hit_range_m) / tree.getResolution(), 0.0,
@@ -74,18 +74,20 @@ std::vector<VoxelObservation> OctreeInserter::Insert(
   Locate(observations, T_map_camera, tree);
   ResetGrid(tree);
   SortByVoxel();
-  std::vector<VoxelObservation> combined;
-  combined.reserve(slot_begins_.size());
+  Observations combined;
+  combined.reserve(slot_ends_.size());
+  const std::uint32_t* const points = sorted_.data();
   for (std::size_t begin = 0, end = 0; begin < sorted_.size(); begin = end) {
-    while (end < sorted_.size() && sorted_[end].key == sorted_[begin].key) ++end;
-    InsertVoxel(sorted_.data() + begin, sorted_.data() + end, observations, tree, combined);
+    const octomap::OcTreeKey& key = located_[points[begin]].key;
+    while (end < sorted_.size() && located_[points[end]].key == key) ++end;
+    InsertVoxel(points + begin, points + end, observations, tree, combined);
   }
   UpdateTree(combined, tree);
   return combined;
 }
 
-void OctreeInserter::Locate(const std::vector<VoxelObservation>& observations,
-                            const Rigid3d& T_map_camera, const SemanticOcTree& tree) {
+void OctreeInserter::Locate(const Observations& observations, const Rigid3d& T_map_camera,
+                            const SemanticOcTree& tree) {
   origin_ = ToPoint(T_map_camera.translation());
   if (!IsFinite(T_map_camera) || !tree.coordToKeyChecked(origin_, origin_key_)) {
     std::ostringstream what;
@@ -108,58 +110,69 @@ void OctreeInserter::Locate(const std::vector<VoxelObservation>& observations,
 void OctreeInserter::ResetGrid(const SemanticOcTree& tree) {
   const auto reach =
       static_cast<float>(std::max(options_.max_clear_range_m, options_.max_hit_range_m));
+  octomap::point3d low = origin_, high = origin_;
+  for (const Located& point : located_) {
+    for (unsigned i = 0; i < 3; ++i) {
+      low(i) = std::min(low(i), point.position(i));
+      high(i) = std::max(high(i), point.position(i));
+    }
+  }
   octomap::OcTreeKey lowest, highest;
   for (unsigned i = 0; i < 3; ++i) {
-    float low = origin_(i), high = origin_(i);
-    for (const Located& point : located_) {
-      low = std::min(low, point.position(i));
-      high = std::max(high, point.position(i));
-    }
-    lowest[i] = ClampedKey(tree, std::max(low, origin_(i) - reach));
-    highest[i] = ClampedKey(tree, std::min(high, origin_(i) + reach));
+    lowest[i] = ClampedKey(tree, std::max(low(i), origin_(i) - reach));
+    highest[i] = ClampedKey(tree, std::min(high(i), origin_(i) + reach));
   }
   grid_.Reset(lowest, highest);
 }
 
-// Brings the points of each voxel together: those on the grid in Morton order, then, few as a rule,
-// those out of reach.
+// Brings the points of each voxel together: those on the grid in Morton order, by counting, then,
+// few as a rule, those out of reach.
 void OctreeInserter::SortByVoxel() {
-  const auto out_of_reach =
-      std::stable_partition(located_.begin(), located_.end(),
-                            [this](const Located& point) { return grid_.Covers(point.key); });
-  for (auto point = located_.begin(); point != out_of_reach; ++point) grid_.MarkEnd(point->key);
-  const std::uint32_t slots = grid_.AssignSlots();
-  std::vector<std::uint32_t>& begins = slot_begins_;
-  begins.assign(slots + 1, 0);
-  for (auto point = located_.begin(); point != out_of_reach; ++point)
-    ++begins[grid_.SlotOf(point->key) + 1];
-  for (std::uint32_t i = 0; i < slots; ++i) begins[i + 1] += begins[i];
-  sorted_.resize(located_.size());
-  for (auto point = located_.begin(); point != out_of_reach; ++point) {
-    sorted_[begins[grid_.SlotOf(point->key)]++] = *point;
+  std::vector<std::uint32_t> out_of_reach;
+  const auto count = static_cast<std::uint32_t>(located_.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (grid_.Covers(located_[i].key)) {
+      grid_.MarkEnd(located_[i].key);
+    } else {
+      out_of_reach.push_back(i);
+    }
   }
-  const auto rest =
-      std::copy(out_of_reach, located_.end(), sorted_.begin() + (out_of_reach - located_.begin()));
-  std::stable_sort(sorted_.begin() + (out_of_reach - located_.begin()), rest,
-                   [](const Located& a, const Located& b) { return KeyLess(a.key, b.key); });
+  const std::uint32_t slots = grid_.AssignSlots();
+  slots_.assign(count, slots);  // one more, for what is out of reach
+  slot_ends_.assign(slots + 2, 0);
+  for (std::uint32_t i = 0, next = 0; i < count; ++i) {
+    if (next < out_of_reach.size() && out_of_reach[next] == i) {
+      ++next;
+    } else {
+      slots_[i] = grid_.SlotOf(located_[i].key);
+    }
+    ++slot_ends_[slots_[i] + 1];
+  }
+  for (std::uint32_t i = 0; i <= slots; ++i) slot_ends_[i + 1] += slot_ends_[i];
+  sorted_.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) sorted_[slot_ends_[slots_[i]]++] = i;
+  std::stable_sort(sorted_.end() - static_cast<std::ptrdiff_t>(out_of_reach.size()), sorted_.end(),
+                   [this](std::uint32_t a, std::uint32_t b) {
+                     return KeyLess(located_[a].key, located_[b].key);
+                   });
   hit_of_slot_.assign(slots, 0);
 }
 
-void OctreeInserter::InsertVoxel(const Located* begin, const Located* end,
-                                 const std::vector<VoxelObservation>& observations,
-                                 const SemanticOcTree& tree,
-                                 std::vector<VoxelObservation>& combined) {
-  const octomap::point3d centre = tree.keyToCoord(begin->key);
-  for (const Located* point = begin; point != end; ++point) {
-    const VoxelObservation& observation = observations[point->index];
-    const auto distance = static_cast<float>((point->position - centre).norm());
+void OctreeInserter::InsertVoxel(const std::uint32_t* begin, const std::uint32_t* end,
+                                 const Observations& observations, const SemanticOcTree& tree,
+                                 Observations& combined) {
+  const octomap::OcTreeKey key = located_[*begin].key;
+  const octomap::point3d centre = tree.keyToCoord(key);
+  for (const std::uint32_t* i = begin; i != end; ++i) {
+    const VoxelObservation& observation = observations[located_[*i].index];
+    const auto distance = static_cast<float>((located_[*i].position - centre).norm());
     (observation.is_transient ? transient_ : steady_).Add(observation, distance);
   }
   const octomap::point3d offset = centre - origin_;
   if (!steady_.empty()) {
     if (offset.norm() <= options_.max_hit_range_m && IsInside(centre)) {
-      grid_.MarkHit(begin->key);
-      hit_of_slot_[grid_.SlotOf(begin->key)] = static_cast<std::uint32_t>(combined.size());
+      grid_.MarkHit(key);
+      hit_of_slot_[grid_.SlotOf(key)] = static_cast<std::uint32_t>(combined.size());
     }
     combined.push_back(steady_.Take());
   }
@@ -189,8 +202,7 @@ void OctreeInserter::MarkRay(const octomap::point3d& end, const SemanticOcTree& 
   });
 }
 
-void OctreeInserter::UpdateTree(const std::vector<VoxelObservation>& combined,
-                                SemanticOcTree& tree) {
+void OctreeInserter::UpdateTree(const Observations& combined, SemanticOcTree& tree) {
   TreeUpdater updater(tree);
   grid_.ForEachUpdate([&](const octomap::OcTreeKey& key, bool is_hit, std::uint32_t slot) {
     if (!is_hit) {

@@ -54,21 +54,24 @@ class OctreeInserter {
                                        const Rigid3d& T_map_camera, SemanticOcTree& tree);
 
  private:
-  struct Located {  // an observation in the map
+  // An observation in the map.
+  struct Located {
     octomap::point3d position;
     octomap::OcTreeKey key;
     std::uint32_t index;  // into the observations
   };
+  using Observations = std::vector<VoxelObservation>;
 
-  void Locate(const std::vector<VoxelObservation>& observations, const Rigid3d& T_map_camera,
+  void Locate(const Observations& observations, const Rigid3d& T_map_camera,
               const SemanticOcTree& tree);
   void ResetGrid(const SemanticOcTree& tree);
   void SortByVoxel();
-  void InsertVoxel(const Located* begin, const Located* end,
-                   const std::vector<VoxelObservation>& observations, const SemanticOcTree& tree,
-                   std::vector<VoxelObservation>& combined);
+  // Of the voxel with the points located_[*begin] to located_[*(end - 1)].
+  void InsertVoxel(const std::uint32_t* begin, const std::uint32_t* end,
+                   const Observations& observations, const SemanticOcTree& tree,
+                   Observations& combined);
   void MarkRay(const octomap::point3d& end, const SemanticOcTree& tree);
-  void UpdateTree(const std::vector<VoxelObservation>& combined, SemanticOcTree& tree);
+  void UpdateTree(const Observations& combined, SemanticOcTree& tree);
   bool IsInside(const octomap::point3d& centre) const;
 
   const OctreeInserterOptions options_;
@@ -80,8 +83,9 @@ class OctreeInserter {
   int lowest_z_ = 0;  // keys
   int highest_z_ = 0;
   std::vector<Located> located_;
-  std::vector<Located> sorted_;
-  std::vector<std::uint32_t> slot_begins_;
+  std::vector<std::uint32_t> sorted_;       // into located_, voxel by voxel
+  std::vector<std::uint32_t> slots_;        // of located_; of those that the grid covers
+  std::vector<std::uint32_t> slot_ends_;    // into sorted_
   std::vector<std::uint32_t> hit_of_slot_;  // into what Insert() returns
   ScanGrid grid_;
   ObservationCombiner steady_;

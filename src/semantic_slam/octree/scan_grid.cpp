@@ -59,25 +59,12 @@ std::uint32_t ScanGrid::AssignSlots() {
   std::uint32_t slots = 0;
   for (const Place& place : places_) {
     Brick& brick = bricks_[place.index];
-    brick.first_slot = slots;
-    for (const std::uint64_t word : brick.end)
-      slots += static_cast<std::uint32_t>(__builtin_popcountll(word));
+    for (int word = 0; word < 8; ++word) {
+      brick.first_slot[word] = slots;
+      slots += static_cast<std::uint32_t>(__builtin_popcountll(brick.end[word]));
+    }
   }
   return slots;
-}
-
-std::uint32_t ScanGrid::SlotOf(const octomap::OcTreeKey& key) {
-  const Brick& brick = BrickAt(key[0], key[1], key[2]);
-  return brick.first_slot + Rank(brick, BitOf(key[0], key[1], key[2]));
-}
-
-std::uint32_t ScanGrid::Rank(const Brick& brick, unsigned bit) {
-  std::uint32_t rank = 0;
-  for (unsigned word = 0; word < bit >> 6; ++word) {
-    rank += static_cast<std::uint32_t>(__builtin_popcountll(brick.end[word]));
-  }
-  const std::uint64_t before = (std::uint64_t{1} << (bit & 63)) - 1;
-  return rank + static_cast<std::uint32_t>(__builtin_popcountll(brick.end[bit >> 6] & before));
 }
 
 void ScanGrid::SortBricks() {

@@ -21,7 +21,7 @@ class ScanGrid {
     std::array<std::uint64_t, 8> hit{};   // something is there
     std::array<std::uint64_t, 8>
         end{};  // a measurement lies there, whether it counts as a hit or not
-    std::uint32_t first_slot = 0;
+    std::array<std::uint32_t, 8> first_slot{};  // of each word of `end`
   };
 
   // Forgets everything. The grid covers the voxels from `lowest` to `highest`, and some around
@@ -42,7 +42,9 @@ class ScanGrid {
   // Numbers the voxels marked as ends, in Morton order; returns how many there are. Then SlotOf()
   // tells an end's number. No further end may be marked.
   std::uint32_t AssignSlots();
-  std::uint32_t SlotOf(const octomap::OcTreeKey& key);
+  std::uint32_t SlotOf(const octomap::OcTreeKey& key) {
+    return Slot(BrickAt(key[0], key[1], key[2]), BitOf(key[0], key[1], key[2]));
+  }
 
   // Calls visit(key, is_hit, slot) for every free or hit voxel in Morton order; a voxel that is
   // both is a hit. `slot` is only meaningful for hits.
@@ -64,8 +66,11 @@ class ScanGrid {
   }
   // Every third bit of nine, closed up.
   static int Gather(unsigned bits) { return (bits & 1) | (bits >> 2 & 2) | (bits >> 4 & 4); }
-  // How many of the brick's ends come before `bit`.
-  static std::uint32_t Rank(const Brick& brick, unsigned bit);
+  static std::uint32_t Slot(const Brick& brick, unsigned bit) {
+    const std::uint64_t before = (std::uint64_t{1} << (bit & 63)) - 1;
+    return brick.first_slot[bit >> 6] +
+           static_cast<std::uint32_t>(__builtin_popcountll(brick.end[bit >> 6] & before));
+  }
 
   void Mark(const octomap::OcTreeKey& key, std::array<std::uint64_t, 8> Brick::*layer) {
     const unsigned bit = BitOf(key[0], key[1], key[2]);
@@ -93,7 +98,7 @@ void ScanGrid::ForEachUpdate(Visit&& visit) {
             static_cast<octomap::key_type>(place.corner[0] + Gather(bit)),
             static_cast<octomap::key_type>(place.corner[1] + Gather(bit >> 1)),
             static_cast<octomap::key_type>(place.corner[2] + Gather(bit >> 2)));
-        visit(key, is_hit, is_hit ? brick.first_slot + Rank(brick, bit) : 0u);
+        visit(key, is_hit, is_hit ? Slot(brick, bit) : 0u);
       }
     }
   }
