@@ -48,6 +48,8 @@ TEST(ConvexHullTest, WithoutAreaThereIsNone) {
   EXPECT_TRUE(ConvexHull({{1, 1}, {1, 1}, {1, 1}}).empty());
   EXPECT_TRUE(ConvexHull({{0, 0}, {1, 1}, {2, 2}, {3, 3}}).empty());
   EXPECT_TRUE(ConvexHull({{0, 1}, {0, 2}, {0, 3}}).empty());
+  EXPECT_TRUE(
+      ConvexHull({{0.1, 0.3}, {0.2, 0.6}, {0.7, 2.1}, {0.9, 2.7}}).empty());  // but for rounding
 }
 
 TEST(ConvexPolygonTest, AreaAndContents) {
@@ -75,6 +77,14 @@ TEST(ConvexPolygonTest, ClippingByAHalfPlane) {
   EXPECT_DOUBLE_EQ(Area(ClippedByHalfPlane(kSquare, {1, 0}, 0.5)), 1.0);
   EXPECT_EQ(ClippedByHalfPlane(kSquare, {1, 0}, 5.0), kSquare);
   EXPECT_TRUE(ClippedByHalfPlane(kSquare, {1, 0}, -1.0).empty());
+}
+
+TEST(ConvexPolygonTest, SimplifyingDropsFlatCornersOnly) {
+  const ConvexPolygon dented{{0, 0}, {1, -0.001}, {2, 0}, {2.05, 1}, {2, 2}, {0, 2}};
+  const ConvexPolygon expected{{0, 0}, {2, 0}, {2.05, 1}, {2, 2}, {0, 2}};
+  EXPECT_EQ(Simplified(dented, 0.01), expected);
+  EXPECT_EQ(Simplified(kSquare, 10.0).size(), 3u);  // never less than a triangle
+  EXPECT_TRUE(Simplified({}, 0.01).empty());
 }
 
 TEST(MinimumAreaRectangleTest, IsTheRectangleItself) {

@@ -48,10 +48,22 @@ TEST(HollownessTest, FromAboveNothingIsSeenBelow) {
   for (int i = 0; i < 50; ++i) {
     for (int j = 0; j < 50; ++j) sights.push_back({{0.02f * i, 0.02f * j, 0.75f}, true});
   }
+  sights.push_back({{-0.3f, 0.5f, 0.0f}, false});  // the floor beside it
   const SpaceBelow below = LookBelow(kTop, kHeightM, {0.5f, 0.5f, 2.0f}, sights, {});
   EXPECT_EQ(below.unseen_columns, 400);
   EXPECT_EQ(JudgeHollowness(below, true, {}), Hollowness::kPartly);  // as the class is
   EXPECT_EQ(JudgeHollowness(below, false, {}), Hollowness::kNo);
+}
+
+TEST(HollownessTest, WhereNothingIsSeenFarBelowThereIsNoRoom) {
+  // A cup of 10 cm, and its table all around.
+  const ConvexPolygon rim{{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1}};
+  std::vector<Sight> sights;
+  for (int i = -10; i < 20; ++i) {
+    for (int j = -10; j < 20; ++j) sights.push_back({{0.01f * i, 0.01f * j, 0.75f}, false});
+  }
+  const SpaceBelow below = LookBelow(rim, 0.85, kEye, sights, {});
+  EXPECT_EQ(below.free_columns + below.unseen_columns, 0);
 }
 
 TEST(HollownessTest, BetweenOpenAndClosedItIsPartlyOpen) {

@@ -20,8 +20,12 @@ using Points = std::vector<Eigen::Vector3f>;
 constexpr int kMaxBackgroundPlanes = 3;
 constexpr int kMaxSurroundPoints = 400;
 constexpr int kMinSurroundPoints = 30;  // fewer say nothing about a plane
-// Neighbouring readings of a slanted surface are this many times farther apart than across the ray.
-constexpr double kSlant = 3.0;
+// Of pixels that are read, columns are four times farther apart than rows: what lies level is seen
+// at a flat angle, so that its rows are far apart in space.
+constexpr double kRowsPerColumn = 4.0;
+// Neighbours on a surface are at most this many times farther apart than columns are across the
+// view.
+constexpr double kSlant = 2.0;
 constexpr double kFrontQuantile = 0.2;  // of the depths in the middle of a box: its nearest surface
 
 // The pixels whose centre is in the box: an edge may lie half a pixel outside of the image.
@@ -34,9 +38,19 @@ cv::Rect PixelsIn(const cv::Rect2f& box, cv::Size image) {
   return {left, top, right - left, bottom - top};
 }
 
-int Stride(int pixels, int max_points) {
-  return std::max(1,
-                  static_cast<int>(std::ceil(std::sqrt(static_cast<double>(pixels) / max_points))));
+// Distances [px] between the columns and the rows that are read.
+struct Grid {
+  int du = 1;
+  int dv = 1;
+};
+
+Grid GridFor(int pixels, int max_points) {
+  const double pixels_per_point = static_cast<double>(pixels) / max_points;
+  Grid grid;
+  grid.dv =
+      std::max(1, static_cast<int>(std::lround(std::sqrt(pixels_per_point / kRowsPerColumn))));
+  grid.du = std::max(1, static_cast<int>(std::ceil(pixels_per_point / grid.dv)));
+  return grid;
 }
 
 cv::Rect2f Grown(const cv::Rect2f& box, double share) {
@@ -62,8 +76,8 @@ class Extraction {
   std::optional<ObjectPoints> Run(const cv::Rect2f& box) {
     inner_ = PixelsIn(box, image_.depth_m.size());
     if (inner_.empty()) return std::nullopt;
-    stride_ = Stride(inner_.area(), options_.max_points);
-    points_ = Read(inner_, stride_, cv::Rect());
+    grid_ = GridFor(inner_.area(), options_.max_points);
+    points_ = Read(inner_, grid_, cv::Rect());
     if (IsTooFew(points_.size())) return std::nullopt;
     RemoveBackgroundPlanes(box);
     RemoveFarBehind();
@@ -84,11 +98,11 @@ class Extraction {
            box.y + box.height < height - border;
   }
 
-  Points Read(const cv::Rect& region, int stride, const cv::Rect& except) const {
+  Points Read(const cv::Rect& region, const Grid& grid, const cv::Rect& except) const {
     Points points;
-    for (int v = region.y + stride / 2; v < region.y + region.height; v += stride) {
+    for (int v = region.y + grid.dv / 2; v < region.y + region.height; v += grid.dv) {
       const float* depth = image_.depth_m.ptr<float>(v);
-      for (int u = region.x + stride / 2; u < region.x + region.width; u += stride) {
+      for (int u = region.x + grid.du / 2; u < region.x + region.width; u += grid.du) {
         const float z = depth[u];
         if (!(z > 0.0f && z <= options_.max_depth_m) || except.contains({u, v})) continue;
         const Eigen::Vector2f& ray = camera_.Ray(u, v);
@@ -118,7 +132,7 @@ class Extraction {
   void RemoveBackgroundPlanes(const cv::Rect2f& box) {
     const cv::Rect outer = PixelsIn(Grown(box, options_.surround_share), image_.depth_m.size());
     const int pixels = outer.area() - inner_.area();
-    Points surroundings = Read(outer, Stride(pixels, kMaxSurroundPoints), inner_);
+    Points surroundings = Read(outer, GridFor(pixels, kMaxSurroundPoints), inner_);
     if (surroundings.size() < kMinSurroundPoints) return;
     const auto enough = static_cast<int>(options_.min_plane_share * surroundings.size());
     const auto least = static_cast<std::size_t>(options_.min_foreground_share * points_.size());
@@ -160,7 +174,7 @@ class Extraction {
   bool KeepLargestCluster() {
     const auto cloud = pcl::PointCloud<pcl::PointXYZ>::Ptr(new pcl::PointCloud<pcl::PointXYZ>);
     for (const Eigen::Vector3f& p : points_) cloud->push_back({p.x(), p.y(), p.z()});
-    const double spacing_m = stride_ * MedianDepth(points_) / camera_.intrinsics().fx_px;
+    const double spacing_m = grid_.du * MedianDepth(points_) / camera_.intrinsics().fx_px;
     pcl::EuclideanClusterExtraction<pcl::PointXYZ> clustering;
     clustering.setClusterTolerance(std::max(options_.cluster_gap_m, kSlant * spacing_m));
     clustering.setMinClusterSize(options_.min_points);
@@ -198,8 +212,8 @@ class Extraction {
       high = high.max(ray);
     }
     // A reading stands for as many pixels as are between it and the next.
-    const auto width = (high - low).x() * camera_.intrinsics().fx_px + stride_;
-    const auto height = (high - low).y() * camera_.intrinsics().fy_px + stride_;
+    const auto width = (high - low).x() * camera_.intrinsics().fx_px + grid_.du;
+    const auto height = (high - low).y() * camera_.intrinsics().fy_px + grid_.dv;
     return width >= options_.min_extent_share * inner_.width &&
            height >= options_.min_extent_share * inner_.height;
   }
@@ -208,7 +222,7 @@ class Extraction {
   const CameraModel& camera_;
   const ObjectPointsOptions& options_;
   cv::Rect inner_;  // the box's pixels
-  int stride_ = 1;
+  Grid grid_;
   Points points_;
   Points others_;
 };

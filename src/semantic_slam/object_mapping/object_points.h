@@ -51,7 +51,7 @@ struct ObjectPoints {
 
 // Finds an object's points in its box, thesis section 3.4.1:
 //
-// 1. Every n-th reading in the box, and some around it.
+// 1. Readings in the box, from a grid of pixels, and some around it.
 // 2. Background removal. What goes on around the box is not the object: up to three planes that
 // hold
 //    most of the surroundings (the floor, a wall, the desk that a cup stands on) are taken out of

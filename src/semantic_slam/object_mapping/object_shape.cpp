@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kUpperShare = 0.75;
 constexpr int kDirections = 72;       // in which outlines are compared: every 5 degrees
+constexpr double kFlatM = 0.002;      // corners that stand out less are none
 constexpr double kPoseSigmaM = 0.01;  // common to all observations: no number of them removes it
 constexpr double kMarginShare =
     0.25;  // of an object's longest side, that its box is made thicker by
@@ -95,6 +96,7 @@ ConvexPolygon FusedOutline(const std::vector<Placed>& all, ConvexPolygon Placed:
   const std::vector<const Placed*> placed = WithArea(all, outline);
   if (placed.empty()) return {};
   const ConvexPolygon& first = placed.front()->*outline;
+  if (placed.size() == 1) return first;
   const double yaw = MinimumAreaRectangle(first).yaw_rad;
   ConvexPolygon fused = SquareAround(placed, outline);
   for (int i = 0; i < kDirections && !fused.empty(); ++i) {
@@ -106,7 +108,7 @@ ConvexPolygon FusedOutline(const std::vector<Placed>& all, ConvexPolygon Placed:
     }
     fused = ClippedByHalfPlane(fused, direction, UpperQuartile(std::move(reaches)));
   }
-  fused = ConvexHull(std::move(fused));
+  fused = Simplified(ConvexHull(std::move(fused)), kFlatM);
   return fused.empty() ? first : fused;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -23,9 +24,22 @@ void Extend(ConvexPolygon& chain, std::size_t fixed, const Eigen::Vector2d& poin
   chain.push_back(point);
 }
 
+// Rounding gives points on one line an area of about 1e-16 of their extent squared.
+constexpr double kMinAreaShare = 1e-12;
+
 ConvexPolygon OrEmpty(ConvexPolygon polygon) {
-  if (polygon.size() < 3) polygon.clear();
+  double outline = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    outline += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
+  }
+  if (polygon.size() < 3 || Area(polygon) <= kMinAreaShare * outline * outline) polygon.clear();
   return polygon;
+}
+
+double DistanceFromLine(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                        const Eigen::Vector2d& b) {
+  const double length = (b - a).norm();
+  return length > 0.0 ? std::abs(Cross(b - a, p - a)) / length : (p - a).norm();
 }
 
 }  // namespace
@@ -85,6 +99,22 @@ ConvexPolygon Intersection(const ConvexPolygon& a, const ConvexPolygon& b) {
     common = ClippedByHalfPlane(common, outwards, outwards.dot(b[i]));
   }
   return common;
+}
+
+ConvexPolygon Simplified(ConvexPolygon polygon, double tolerance) {
+  while (polygon.size() > 3) {
+    std::size_t flattest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const std::size_t before = (i + polygon.size() - 1) % polygon.size();
+      const double distance =
+          DistanceFromLine(polygon[i], polygon[before], polygon[(i + 1) % polygon.size()]);
+      if (distance < least) least = distance, flattest = i;
+    }
+    if (least >= tolerance) break;
+    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(flattest));
+  }
+  return polygon;
 }
 
 double Support(const ConvexPolygon& polygon, const Eigen::Vector2d& direction) {

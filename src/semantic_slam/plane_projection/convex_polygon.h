@@ -24,6 +24,10 @@ ConvexPolygon ClippedByHalfPlane(const ConvexPolygon& polygon, const Eigen::Vect
 
 ConvexPolygon Intersection(const ConvexPolygon& a, const ConvexPolygon& b);
 
+// The polygon without the corners that stand out by less than `tolerance` from the line between
+// their neighbours, the flattest first.
+ConvexPolygon Simplified(ConvexPolygon polygon, double tolerance);
+
 // How far the polygon reaches in a direction: the greatest direction . p of its points.
 // Precondition: not empty.
 double Support(const ConvexPolygon& polygon, const Eigen::Vector2d& direction);
