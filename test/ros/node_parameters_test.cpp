@@ -18,10 +18,12 @@
 #include <ros/ros.h>
 
 #include "semantic_slam_ros/detection_node.h"
+#include "semantic_slam_ros/grid_slam_node.h"
 #include "semantic_slam_ros/octomap_node.h"
 #include "semantic_slam_ros/param_reader.h"
 #include "semantic_slam_ros/segmentation_node.h"
 #include "semantic_slam_ros/semantic_cloud_node.h"
+#include "semantic_slam_ros/semantic_grid_node.h"
 #include "semantic_slam_ros/tracking_node.h"
 
 namespace semantic_slam_ros {
@@ -53,7 +55,18 @@ struct Octomap {
   using Parameters = OctomapNodeParameters;
 };
 
-using Nodes = testing::Types<Tracking, Segmentation, Detection, SemanticCloud, Octomap>;
+struct GridSlam {
+  static constexpr char kName[] = "grid_slam";
+  using Parameters = GridSlamNodeParameters;
+};
+
+struct SemanticGrid {
+  static constexpr char kName[] = "semantic_grid";
+  using Parameters = SemanticGridNodeParameters;
+};
+
+using Nodes = testing::Types<Tracking, Segmentation, Detection, SemanticCloud, Octomap, GridSlam,
+                             SemanticGrid>;
 
 struct Outcome {
   int status;
@@ -101,6 +114,18 @@ TEST(TrackingParametersTest, RefusesAnotherType) {
 
 TEST(TrackingParametersTest, NamesAMissingCalibrationFile) {
   ExpectFatal("tracking", "_camera_config:=/nowhere/camera.yaml", "/nowhere/camera.yaml");
+}
+
+TEST(GridSlamParametersTest, RefusesAnotherSourceOfTheMap) {
+  ExpectFatal("grid_slam", "_map_source:=grid",
+              "/grid_slam_under_test/map_source = grid is not available in this version, only "
+              "visual is");
+  ExpectFatal("grid_slam", "_map_source:=laser",
+              "/grid_slam_under_test/map_source = laser, but must be visual");
+}
+
+TEST(GridSlamParametersTest, RefusesAnEmptyBand) {
+  ExpectFatal("grid_slam", "_scan/band_lower_m:=0.5", "band_lower_m = 0.5, but must be below");
 }
 
 // Calls visit(full name, value, range...) for every option of a node.
