@@ -1,28 +1,15 @@
 #pragma once
 
-#include <iosfwd>
-#include <memory>
 #include <string>
 
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/octree/semantic_octree.h"
 #include "semantic_slam/octree/voxel_colours.h"
 
-// Files of a semantic map. All are written whole or not at all, with the same bytes for the same
-// map; all writers throw InputError naming the path if that fails.
+// Files of a semantic map for other programs. All are written whole or not at all, with the same
+// bytes for the same map; all writers throw InputError naming the path if that fails.
 
 namespace semantic_slam {
-
-// Everything there is: OctoMap's .ot with the id "SemanticOcTree" and, as comments in its header,
-// the vocabulary. Read by this package's programs, and by octomap::AbstractOcTree::read() where
-// this library is linked.
-void WriteSemanticTree(const std::string& path, const SemanticOcTree& tree,
-                       const LabelVocabulary& vocabulary);
-
-// Reads such a file. Throws InputError naming the path and what is wrong: another kind of tree,
-// another vocabulary, cut short, or damaged.
-std::unique_ptr<SemanticOcTree> ReadSemanticTree(const std::string& path,
-                                                 const LabelVocabulary& vocabulary);
 
 // A ColorOcTree .ot, for octovis and every other program of OctoMap's: occupancy and one colour.
 void WriteColourTree(const std::string& path, const SemanticOcTree& tree,
@@ -36,8 +23,11 @@ void WriteBinaryTree(const std::string& path, const SemanticOcTree& tree);
 void WritePointCloud(const std::string& path, const SemanticOcTree& tree,
                      const VoxelColours& colours);
 
-// All of it: `prefix`.ot, `prefix`_colour.ot, `prefix`.bt and `prefix`.ply, in the colours of the
-// classes.
+// The same as a binary .pcd of PCL's: x y z, rgb (PCL's packing), label, probability.
+void WritePcd(const std::string& path, const SemanticOcTree& tree, const VoxelColours& colours);
+
+// Everything: `prefix`.ot as WriteSemanticTree() writes it, `prefix`_colour.ot, `prefix`.bt and
+// `prefix`.ply, in the colours of the classes.
 void WriteMapFiles(const std::string& prefix, const SemanticOcTree& tree,
                    const LabelVocabulary& vocabulary);
 
