@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <semantic_slam/LabelSet.h>
@@ -16,7 +18,19 @@ namespace semantic_slam_ros {
 constexpr char kCameraFrame[] = "test_camera_optical_frame";
 constexpr double kLimitS = 20.0;
 
-// A test of a node of our own making or a started one that takes rgb/image_raw and answers each
+// Gives a node of this process its private parameters.
+inline void SetParameters(const std::string& node, const std::string& card) {
+  ros::param::set("~" + node + "/card", card);
+  ros::param::set("~" + node + "/labels", SEMANTIC_SLAM_SOURCE_DIR "/config/labels.yaml");
+}
+
+// A node of this process, its topics in the namespace `name`.
+template <typename Node>
+std::unique_ptr<Node> MakeNode(const std::string& name) {
+  return std::make_unique<Node>(ros::NodeHandle(name), ros::NodeHandle("~" + name));
+}
+
+// A test of a running node that takes rgb/image_raw and answers each
 // image with an `Answer` on `topic`. Stamps go on from test to test.
 template <typename Answer>
 class ColourNodeTest : public testing::Test {

@@ -4,7 +4,6 @@
 #include "semantic_slam_ros/detection_node.h"
 
 #include <algorithm>
-#include <memory>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -30,15 +29,6 @@ cv::Mat RedBlock() {
   cv::Mat image(480, 640, CV_8UC3, cv::Scalar::all(90));
   image(cv::Rect(160, 240, 80, 80)) = cv::Scalar(0, 0, 255);
   return image;
-}
-
-void SetParameters(const std::string& node, const std::string& card) {
-  ros::param::set("~" + node + "/card", card);
-  ros::param::set("~" + node + "/labels", SEMANTIC_SLAM_SOURCE_DIR "/config/labels.yaml");
-}
-
-std::unique_ptr<DetectionNode> MakeNode(const std::string& name) {
-  return std::make_unique<DetectionNode>(ros::NodeHandle(name), ros::NodeHandle("~" + name));
 }
 
 class DetectionNodeTest : public ColourNodeTest<DetectionArray> {
@@ -76,7 +66,8 @@ TEST_F(DetectionNodeTest, DropsAndCountsBadImagesAndLives) {
 
 TEST_F(DetectionNodeTest, RefusesACardThatIsNotThere) {
   const auto error_of = [](const std::string& name) {
-    return semantic_slam::MessageOf<semantic_slam::ConfigError>([&] { MakeNode(name); });
+    return semantic_slam::MessageOf<semantic_slam::ConfigError>(
+        [&] { MakeNode<DetectionNode>(name); });
   };
   SetParameters("bad", "");
   semantic_slam::ExpectOneLineWith(error_of("bad"),
@@ -91,7 +82,7 @@ TEST_F(DetectionNodeTest, RunsARealNetwork) {
   SEMANTIC_SLAM_SKIP_WITHOUT(models, "the models folder");
   SetParameters("real", SEMANTIC_SLAM_SOURCE_DIR "/config/cards/yolov8n_coco_320x256.yaml");
   ros::param::set("~real/models", *models);
-  const auto node = MakeNode("real");
+  const auto node = MakeNode<DetectionNode>("real");
   Listener<DetectionArray> answers(nh_, "real/detections");
   ros::Publisher images = nh_.advertise<sensor_msgs::Image>("real/rgb/image_raw", 10);
   ASSERT_TRUE(

@@ -4,8 +4,6 @@
 
 #include "semantic_slam_ros/segmentation_node.h"
 
-#include <memory>
-
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 
@@ -30,15 +28,6 @@ cv::Mat TwoColours() {
   cv::Mat image(240, 320, CV_8UC3, cv::Scalar(0, 0, 255));
   image.colRange(160, 320).setTo(cv::Scalar(255, 0, 0));
   return image;
-}
-
-void SetParameters(const std::string& node, const std::string& card) {
-  ros::param::set("~" + node + "/card", card);
-  ros::param::set("~" + node + "/labels", SEMANTIC_SLAM_SOURCE_DIR "/config/labels.yaml");
-}
-
-std::unique_ptr<SegmentationNode> MakeNode(const std::string& name) {
-  return std::make_unique<SegmentationNode>(ros::NodeHandle(name), ros::NodeHandle("~" + name));
 }
 
 class SegmentationNodeTest : public ColourNodeTest<SemanticImage> {
@@ -77,7 +66,7 @@ TEST_F(SegmentationNodeTest, FollowsAnImageOfAnotherSize) {
 TEST_F(SegmentationNodeTest, KeepsToTheMinimumPeriod) {
   SetParameters("slow", semantic_slam::TinyNetworkCard("colour_segmenter"));
   ros::param::set("~slow/min_period_s", 0.25);
-  const auto node = MakeNode("slow");
+  const auto node = MakeNode<SegmentationNode>("slow");
   Listener<SemanticImage> answers(nh_, "slow/semantic_image");
   ros::Publisher images = nh_.advertise<sensor_msgs::Image>("slow/rgb/image_raw", 10);
   ASSERT_TRUE(
@@ -94,7 +83,8 @@ TEST_F(SegmentationNodeTest, KeepsToTheMinimumPeriod) {
 
 TEST_F(SegmentationNodeTest, RefusesACardThatIsNotThere) {
   const auto error_of = [](const std::string& name) {
-    return semantic_slam::MessageOf<semantic_slam::ConfigError>([&] { MakeNode(name); });
+    return semantic_slam::MessageOf<semantic_slam::ConfigError>(
+        [&] { MakeNode<SegmentationNode>(name); });
   };
   semantic_slam::ExpectOneLineWith(error_of("unset"), {"unset/labels is empty"});
   SetParameters("bad", "/nowhere/card.yaml");
@@ -112,7 +102,7 @@ TEST_F(SegmentationNodeTest, RunsARealNetwork) {
   SetParameters("real",
                 SEMANTIC_SLAM_SOURCE_DIR "/config/cards/deeplabv3p_mnv2_ade20k32_320x240.yaml");
   ros::param::set("~real/models", *models);
-  const auto node = MakeNode("real");
+  const auto node = MakeNode<SegmentationNode>("real");
   Listener<SemanticImage> answers(nh_, "real/semantic_image");
   ros::Publisher images = nh_.advertise<sensor_msgs::Image>("real/rgb/image_raw", 10);
   ASSERT_TRUE(
