@@ -204,13 +204,16 @@ void DrawNames(const std::vector<const MapObject*>& objects, const LabelVocabula
   }
 }
 
-// The classes that are the most probable ones of a cell, those of most cells first, after the
-// greys.
-std::vector<LegendEntry> Legend(const SemanticCells& cells, const LabelVocabulary& vocabulary) {
+// The classes that are the most probable ones of a cell or an object, those of most cells first,
+// after the greys.
+std::vector<LegendEntry> Legend(const SemanticCells& cells,
+                                const std::vector<const MapObject*>& objects,
+                                const LabelVocabulary& vocabulary) {
   std::array<int, 256> counts{};
   for (std::size_t i = 0; i < cells.labels.size(); i += cells.classes_per_cell) {
     if (cells.probabilities[i] > 0) ++counts[cells.labels[i]];
   }
+  for (const MapObject* object : objects) ++counts[object->labels[0].label];
   std::vector<const LabelClass*> shown;
   for (const LabelClass& label : vocabulary.classes()) {
     if (counts[label.id] > 0) shown.push_back(&label);
@@ -249,7 +252,7 @@ cv::Mat DrawSemanticGrid(const SemanticCells& cells, const OccupancyMap& map,
   const std::vector<const MapObject*> by_area = ByArea(objects);
   DrawOutlines(by_area, vocabulary, projection, canvas);
   DrawNames(by_area, vocabulary, projection, canvas);
-  DrawLegend(Legend(cells, vocabulary), {map_size.width + 2.0 * kMargin, 1.0 * kMargin},
+  DrawLegend(Legend(cells, by_area, vocabulary), {map_size.width + 2.0 * kMargin, 1.0 * kMargin},
              size.height - 2.0 * kMargin, canvas);
   DrawScaleBar(projection.pixels_per_metre(), std::max(60.0, 0.3 * map_size.width),
                {1.0 * kMargin, size.height - 0.5 * kFooter}, canvas);
