@@ -15,12 +15,8 @@ constexpr float kMinHorizontal = 1e-3f;  // shorter rays (per metre of depth) co
 constexpr float kLevel = 1e6f;  // metres ahead per metre up: a ray that is as good as level
 
 const ScanBuilderOptions& Checked(const ScanBuilderOptions& options) {
-  Validate(options);
-  if (options.band_lower_m < options.band_upper_m) return options;
-  std::ostringstream what;
-  what << "band_lower_m = " << options.band_lower_m
-       << ", but must be below band_upper_m = " << options.band_upper_m;
-  throw ConfigError(what.str());
+  CheckScanBuilderOptions(options);
+  return options;
 }
 
 // The widest angle [rad] between a ray and the optical axis.
@@ -42,6 +38,15 @@ float PixelSlope(const CameraIntrinsics& camera, const ScanBuilderOptions& optio
 }
 
 }  // namespace
+
+void CheckScanBuilderOptions(const ScanBuilderOptions& options) {
+  Validate(options);
+  if (options.band_lower_m < options.band_upper_m) return;
+  std::ostringstream what;
+  what << "band_lower_m = " << options.band_lower_m
+       << ", but must be below band_upper_m = " << options.band_upper_m;
+  throw ConfigError(what.str());
+}
 
 ScanBuilder::ScanBuilder(const ScanBuilderOptions& options,
                          std::shared_ptr<const CameraModel> camera)

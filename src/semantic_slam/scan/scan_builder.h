@@ -42,6 +42,9 @@ struct ScanBuilderOptions {
   }
 };
 
+// Throws ConfigError if an option is out of range or the band is empty.
+void CheckScanBuilderOptions(const ScanBuilderOptions& options);
+
 // Turns depth images into planar scans of a band of heights (thesis section 3.4.2), whichever way
 // the camera is tilted. Immutable, so safe from any thread.
 //
@@ -51,7 +54,7 @@ struct ScanBuilderOptions {
 // ahead when it is rolled in any way: half the angle across the image's diagonal to either side.
 class ScanBuilder {
  public:
-  // Throws ConfigError if an option is out of range or the band is empty.
+  // Throws ConfigError as CheckScanBuilderOptions() does.
   ScanBuilder(const ScanBuilderOptions& options, std::shared_ptr<const CameraModel> camera);
 
   // The scan in LevelPose(T_map_camera), stamped as the image. The map has z up. Throws InputError
