@@ -238,6 +238,15 @@ TYPED_TEST(NodeParametersTest, AnUnknownOneStopsTheNode) {
               "unknown parameter /" + node + "_under_test/no_such_parameter");
 }
 
+TYPED_TEST(NodeParametersTest, LabelsMustBeGiven) {
+  bool has_labels = false;
+  VisitOptions(typename TypeParam::Parameters(),
+               [&](const std::string& name, const auto&...) { has_labels |= name == "labels"; });
+  if (!has_labels) GTEST_SKIP() << "it needs none";
+  const std::string node = TypeParam::kName;
+  ExpectFatal(node, "", "/" + node + "_under_test/labels is empty, but must name");
+}
+
 TYPED_TEST(NodeParametersTest, FileRepeatsTheDefaults) {
   using Parameters = typename TypeParam::Parameters;
   const ros::NodeHandle file("~documented/" + std::string(TypeParam::kName));
