@@ -19,6 +19,8 @@
 
 #include "semantic_slam_ros/detection_node.h"
 #include "semantic_slam_ros/grid_slam_node.h"
+#include "semantic_slam_ros/object_mapping_node.h"
+#include "semantic_slam_ros/object_tracking_node.h"
 #include "semantic_slam_ros/octomap_node.h"
 #include "semantic_slam_ros/param_reader.h"
 #include "semantic_slam_ros/segmentation_node.h"
@@ -60,13 +62,23 @@ struct GridSlam {
   using Parameters = GridSlamNodeParameters;
 };
 
+struct ObjectTracking {
+  static constexpr char kName[] = "object_tracking";
+  using Parameters = ObjectTrackingNodeParameters;
+};
+
+struct ObjectMapping {
+  static constexpr char kName[] = "object_mapping";
+  using Parameters = ObjectMappingNodeParameters;
+};
+
 struct SemanticGrid {
   static constexpr char kName[] = "semantic_grid";
   using Parameters = SemanticGridNodeParameters;
 };
 
-using Nodes = testing::Types<Tracking, Segmentation, Detection, SemanticCloud, Octomap, GridSlam,
-                             SemanticGrid>;
+using Nodes = testing::Types<Tracking, Segmentation, Detection, SemanticCloud, Octomap, GridSlam, ObjectTracking,
+                             ObjectMapping, SemanticGrid>;
 
 struct Outcome {
   int status;
