@@ -27,12 +27,13 @@ cv::Mat AnchorGrid::Decode(const cv::Mat& output) const {
   cv::Mat rows(static_cast<int>(anchors * cells), columns_, CV_32F);
   for (int i = 0; i < rows.rows; ++i) {
     const int anchor = static_cast<int>(i / cells), cell = static_cast<int>(i % cells);
+    const int x = cell % width, y = cell / width;
     const float* from = output.ptr<float>() + anchor * cells * columns_ + cell * cell_step;
     float* row = rows.ptr<float>(i);
     for (int column = 0; column < columns_; ++column) row[column] = from[column * column_step];
     // YOLOv5 as published: centres reach half a cell beyond their own, sizes up to four anchors.
-    row[0] = (2.0f * Sigmoid(row[0]) - 0.5f + static_cast<float>(cell % width)) * stride_px_;
-    row[1] = (2.0f * Sigmoid(row[1]) - 0.5f + static_cast<float>(cell / width)) * stride_px_;
+    row[0] = (2.0f * Sigmoid(row[0]) - 0.5f + static_cast<float>(x)) * stride_px_;
+    row[1] = (2.0f * Sigmoid(row[1]) - 0.5f + static_cast<float>(y)) * stride_px_;
     row[2] = std::pow(2.0f * Sigmoid(row[2]), 2.0f) * anchors_px_[anchor].width;
     row[3] = std::pow(2.0f * Sigmoid(row[3]), 2.0f) * anchors_px_[anchor].height;
   }

@@ -57,6 +57,7 @@ Detections Detector::Detect(const cv::Mat& colour, ColourOrder order, Stamp stam
 std::vector<NetworkBox> Detector::SuppressWithinClasses(
     const std::vector<NetworkBox>& boxes) const {
   std::vector<ScoredBox> scored;
+  scored.reserve(boxes.size());
   for (const NetworkBox& box : boxes) scored.push_back({box.box, box.confidence, box.class_index});
   return Selected(boxes, SuppressNonMaxima(scored, options_.max_overlap));
 }
@@ -64,6 +65,7 @@ std::vector<NetworkBox> Detector::SuppressWithinClasses(
 std::vector<DetectedBox> Detector::SuppressWithinLabels(
     const std::vector<DetectedBox>& boxes) const {
   std::vector<ScoredBox> scored;
+  scored.reserve(boxes.size());
   for (const DetectedBox& box : boxes) scored.push_back({box.box, box.confidence, box.label});
   return Selected(boxes, SuppressNonMaxima(scored, options_.max_overlap));
 }

@@ -26,7 +26,7 @@ class InputBlob {
   void FillPlane(int channel, const Table& table, float* plane) const;
 
   const NetworkInput input_;
-  std::array<Table, 3> tables_;  // per channel of the blob: the value of every grey level
+  std::array<Table, 3> tables_{};  // per channel of the blob: the value of every grey level
   cv::Mat fitted_;
   cv::Mat blob_;
 };

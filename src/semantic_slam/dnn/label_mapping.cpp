@@ -10,8 +10,8 @@ namespace {
 
 void CheckMap(const Model& model, const LabelVocabulary& vocabulary) {
   for (const auto& [class_name, label_name] : model.card.label_map) {
-    const std::string entry =
-        model.card.path + ": labels/map: '" + class_name + ": " + label_name + "': ";
+    std::string entry = model.card.path + ": labels/map: '";
+    entry.append(class_name).append(": ").append(label_name).append("': ");
     if (std::find(model.classes.begin(), model.classes.end(), class_name) == model.classes.end()) {
       throw ConfigError(entry + "no class of that name is in " + model.card.labels_file);
     }

@@ -39,11 +39,13 @@ std::vector<std::string> ModelFolders(const std::string& card_path,
   if (!models_folder.empty()) folders.emplace_back(models_folder);
   folders.push_back(card_folder);
   folders.push_back(card_folder / ".." / ".." / "models");
+  // NOLINTNEXTLINE(concurrency-mt-unsafe): no thread changes the environment
   if (const char* shared = std::getenv("SEMANTIC_SLAM_SHARED")) {
     folders.push_back(fs::path(shared) / "models");
   }
   folders.push_back(card_folder / ".." / ".." / ".." / "shared" / "models");
   std::vector<std::string> names;
+  names.reserve(folders.size());
   for (const fs::path& folder : folders) names.push_back(folder.lexically_normal().string());
   return names;
 }
