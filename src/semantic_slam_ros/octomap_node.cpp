@@ -37,7 +37,7 @@ OctomapNode::OctomapNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
     : options_(parameters.node),
       vocabulary_(std::make_shared<const semantic_slam::LabelVocabulary>(
           LoadLabels(private_nh, parameters.labels))),
-      joiner_(parameters.pose_joiner),
+      joiner_(parameters.pose_joiner, drops_),
       mapper_(parameters.mapper, vocabulary_),
       publisher_(nh, parameters.publisher, *vocabulary_),
       health_(nh, private_nh, "octomap", drops_,
@@ -86,7 +86,6 @@ void OctomapNode::OnGraph(KeyframeGraph graph) {
 }
 
 void OctomapNode::Enqueue(std::vector<Joiner::Joined> joined) {
-  CountUnjoined();
   if (joined.empty()) return;
   std::size_t late = 0;
   {
@@ -97,16 +96,6 @@ void OctomapNode::Enqueue(std::vector<Joiner::Joined> joined) {
   }
   if (late > 0) drops_.AddQuietly("late", late);
   worker_->Push({});
-}
-
-void OctomapNode::CountUnjoined() {
-  const Joiner::Counts& now = joiner_.counts();
-  const auto add = [this](const char* cause, std::size_t before, std::size_t after) {
-    if (after > before) drops_.AddQuietly(cause, after - before);
-  };
-  add("no_pose", counted_.no_pose + counted_.overflow, now.no_pose + now.overflow);
-  add("not_tracked", counted_.not_tracked, now.not_tracked);
-  counted_ = now;
 }
 
 void OctomapNode::Work() {

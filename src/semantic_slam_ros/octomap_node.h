@@ -15,9 +15,9 @@
 #include <std_srvs/Trigger.h>
 
 #include "semantic_slam/common/label_vocabulary.h"
-#include "semantic_slam/common/pose_joiner.h"
 #include "semantic_slam/common/worker.h"
 #include "semantic_slam/octree/semantic_map.h"
+#include "semantic_slam_ros/counted_joiner.h"
 #include "semantic_slam_ros/drop_counter.h"
 #include "semantic_slam_ros/graph_input.h"
 #include "semantic_slam_ros/label_parameter.h"
@@ -71,7 +71,7 @@ class OctomapNode {
     sensor_msgs::PointCloud2ConstPtr msg;
     std::chrono::steady_clock::time_point received;
   };
-  using Joiner = semantic_slam::PoseJoiner<Cloud>;
+  using Joiner = CountedJoiner<Cloud>;
   struct Wake {};  // there may be something to do
 
   OctomapNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
@@ -84,7 +84,6 @@ class OctomapNode {
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   void Enqueue(std::vector<Joiner::Joined> joined);
-  void CountUnjoined();
 
   // On the worker's thread.
   void Work();
@@ -98,9 +97,8 @@ class OctomapNode {
   const OctomapNodeOptions options_;
   const std::shared_ptr<const semantic_slam::LabelVocabulary> vocabulary_;
   DropCounter drops_;
-  Joiner joiner_;           // for the spinning thread
-  Joiner::Counts counted_;  // what of the joiner's counts is in drops_ already
-  bool paused_ = false;     // for the spinning thread
+  Joiner joiner_;        // for the spinning thread
+  bool paused_ = false;  // for the spinning thread
 
   std::mutex waiting_mutex_;
   std::deque<Joiner::Joined> waiting_;                        // guarded by waiting_mutex_

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "semantic_slam_ros/conversions.h"
+#include "semantic_slam_ros/point_field.h"
 
 namespace semantic_slam_ros {
 
@@ -33,15 +34,6 @@ struct WireCell {
   float size;
 };
 static_assert(sizeof(WireCell) == 28);
-
-PointField Field(const char* name, std::size_t offset, std::uint8_t datatype) {
-  PointField field;
-  field.name = name;
-  field.offset = static_cast<std::uint32_t>(offset);
-  field.datatype = datatype;
-  field.count = 1;
-  return field;
-}
 
 std_msgs::ColorRGBA ToColour(const std::array<std::uint8_t, 3>& rgb) {
   std_msgs::ColorRGBA colour;
@@ -127,13 +119,13 @@ sensor_msgs::PointCloud2 ToPointCloud2(const OccupiedCells& cells, const std_msg
   msg.header = header;
   msg.height = 1;
   msg.width = static_cast<std::uint32_t>(cells.cells.size());
-  msg.fields = {Field("x", offsetof(WireCell, x), PointField::FLOAT32),
-                Field("y", offsetof(WireCell, y), PointField::FLOAT32),
-                Field("z", offsetof(WireCell, z), PointField::FLOAT32),
-                Field("rgb", offsetof(WireCell, blue), PointField::FLOAT32),
-                Field("label", offsetof(WireCell, label), PointField::UINT8),
-                Field("probability", offsetof(WireCell, probability), PointField::FLOAT32),
-                Field("size", offsetof(WireCell, size), PointField::FLOAT32)};
+  msg.fields = {MakePointField("x", offsetof(WireCell, x), PointField::FLOAT32),
+                MakePointField("y", offsetof(WireCell, y), PointField::FLOAT32),
+                MakePointField("z", offsetof(WireCell, z), PointField::FLOAT32),
+                MakePointField("rgb", offsetof(WireCell, blue), PointField::FLOAT32),
+                MakePointField("label", offsetof(WireCell, label), PointField::UINT8),
+                MakePointField("probability", offsetof(WireCell, probability), PointField::FLOAT32),
+                MakePointField("size", offsetof(WireCell, size), PointField::FLOAT32)};
   msg.point_step = sizeof(WireCell);
   msg.row_step = msg.width * msg.point_step;
   msg.is_dense = true;

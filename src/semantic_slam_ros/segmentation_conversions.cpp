@@ -10,7 +10,9 @@
 #include <boost/make_shared.hpp>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/semantic_cloud/check_cloud.h"
 #include "semantic_slam_ros/conversions.h"
+#include "semantic_slam_ros/point_field.h"
 #include "semantic_slam_ros/shared_pixels.h"
 
 namespace semantic_slam_ros {
@@ -83,27 +85,20 @@ const std::vector<std::string>& ConfidenceFields() {
   return names;
 }
 
-PointField Field(const std::string& name, std::size_t offset, std::uint8_t datatype) {
-  PointField field;
-  field.name = name;
-  field.offset = static_cast<std::uint32_t>(offset);
-  field.datatype = datatype;
-  field.count = 1;
-  return field;
-}
-
 std::vector<PointField> WireFields() {
-  std::vector<PointField> fields{Field("x", offsetof(WirePoint, x), PointField::FLOAT32),
-                                 Field("y", offsetof(WirePoint, y), PointField::FLOAT32),
-                                 Field("z", offsetof(WirePoint, z), PointField::FLOAT32),
-                                 Field("rgb", offsetof(WirePoint, blue), PointField::FLOAT32)};
+  std::vector<PointField> fields{
+      MakePointField("x", offsetof(WirePoint, x), PointField::FLOAT32),
+      MakePointField("y", offsetof(WirePoint, y), PointField::FLOAT32),
+      MakePointField("z", offsetof(WirePoint, z), PointField::FLOAT32),
+      MakePointField("rgb", offsetof(WirePoint, blue), PointField::FLOAT32)};
   for (int i = 0; i < kTopLabels; ++i) {
-    fields.push_back(Field(LabelFields()[i], offsetof(WirePoint, labels) + i, PointField::UINT8));
+    fields.push_back(
+        MakePointField(LabelFields()[i], offsetof(WirePoint, labels) + i, PointField::UINT8));
   }
   for (int i = 0; i < kTopLabels; ++i) {
-    fields.push_back(Field(ConfidenceFields()[i],
-                           offsetof(WirePoint, confidences) + sizeof(float) * i,
-                           PointField::FLOAT32));
+    fields.push_back(MakePointField(ConfidenceFields()[i],
+                                    offsetof(WirePoint, confidences) + sizeof(float) * i,
+                                    PointField::FLOAT32));
   }
   return fields;
 }
@@ -188,26 +183,6 @@ SemanticPoint ReadPoint(const std::uint8_t* bytes, const CloudLayout& layout) {
   return point;
 }
 
-void CheckPoint(const SemanticPoint& point, const LabelVocabulary& vocabulary) {
-  constexpr float kRounding = 1e-3f;
-  float sum = 0.0f;
-  for (int i = 0; i < kTopLabels; ++i) {
-    if (!vocabulary.Contains(point.labels[i])) {
-      throw InputError("semantic cloud: label id " + std::to_string(point.labels[i]) +
-                       " is not in the vocabulary");
-    }
-    if (!(point.confidences[i] >= 0.0f)) {
-      throw InputError("semantic cloud: confidence is " + std::to_string(point.confidences[i]) +
-                       ", expected 0 to 1");
-    }
-    sum += point.confidences[i];
-  }
-  if (sum > 1.0f + kRounding) {
-    throw InputError("semantic cloud: confidences of a point sum up to " + std::to_string(sum) +
-                     ", expected at most 1");
-  }
-}
-
 }  // namespace
 
 semantic_slam::LabelSet ToLabelSet(const LabelVocabulary& vocabulary, semantic_slam::Stamp loaded) {
@@ -289,10 +264,10 @@ semantic_slam::SemanticCloud ToSemanticCloud(const sensor_msgs::PointCloud2& msg
     for (std::size_t u = 0; u < msg.width; ++u, bytes += msg.point_step) {
       const SemanticPoint point = ReadPoint(bytes, layout);
       if (!point.position.allFinite()) continue;
-      CheckPoint(point, vocabulary);
       cloud.points.push_back(point);
     }
   }
+  semantic_slam::CheckSemanticCloud(cloud, vocabulary);
   return cloud;
 }
 

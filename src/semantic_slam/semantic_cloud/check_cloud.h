@@ -5,9 +5,9 @@
 
 namespace semantic_slam {
 
-// Throws InputError, naming the point, unless the cloud was made with `vocabulary`, every position
-// is finite, every label id is in the vocabulary, and every point's confidences lie in [0, 1] and
-// add up to at most 1. Clouds from outside pass through here before they meet a map.
+// Throws InputError, naming what is wrong, unless the cloud was made with `vocabulary`, every
+// position is finite, every label id is in the vocabulary, and every point's confidences lie in [0,
+// 1] and add up to at most 1. Clouds from outside pass through here before they meet a map.
 void CheckSemanticCloud(const SemanticCloud& cloud, const LabelVocabulary& vocabulary);
 
 }  // namespace semantic_slam
