@@ -76,13 +76,23 @@ def fixture_desk(shared_data):
                     REPOSITORY / "config/tum_freiburg1.yaml")
 
 
+@pytest.fixture(name="networks", scope="session")
+def fixture_networks(shared_data):
+    """Options of replay that give it a segmentation and a detection network; skips without them."""
+    shared_data("models/deeplabv3p_mnv2_ade20k32")
+    shared_data("models/yolov8n_coco")
+    cards = REPOSITORY / "config/cards"
+    return ("--segmentation", cards / "deeplabv3p_mnv2_ade20k32_320x240.yaml",
+            "--detection", cards / "yolov8n_coco_320x256.yaml")
+
+
 @pytest.fixture(name="replay", scope="session")
 def fixture_replay(run_program):
     """Replays a Sequence into a folder and returns that folder."""
 
-    def run(sequence, out, before=()):
+    def run(sequence, out, *options, before=()):
         result = run_program("replay", "--dataset", sequence.folder, "--config", sequence.config,
-                             "--out", out, before=before)
+                             "--labels", REPOSITORY / "config/labels.yaml", "--out", out, *options, before=before)
         assert result.returncode == 0, result.stderr
         return out
 
@@ -91,9 +101,11 @@ def fixture_replay(run_program):
 
 @pytest.fixture(name="room_replay", scope="session")
 def fixture_room_replay(replay, room, tmp_path_factory):
+    """What needs no network."""
     return replay(room, tmp_path_factory.mktemp("room_replay") / "out")
 
 
 @pytest.fixture(name="desk_replay", scope="session")
-def fixture_desk_replay(replay, desk, tmp_path_factory):
-    return replay(desk, tmp_path_factory.mktemp("desk_replay") / "out")
+def fixture_desk_replay(replay, desk, networks, tmp_path_factory):
+    """Every stage."""
+    return replay(desk, tmp_path_factory.mktemp("desk_replay") / "out", *networks)

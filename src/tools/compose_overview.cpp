@@ -3,11 +3,13 @@
 #include <array>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <opencv2/imgcodecs.hpp>
 
 #include "semantic_slam/common/atomic_file.h"
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/dataset/image_decoding.h"
 #include "tools/command_line.h"
 #include "tools/overview_figure.h"
 
@@ -18,7 +20,8 @@ constexpr char kPurpose[] =
     "Composes camera, segmentation, cloud and map into one two by two figure with titles.";
 
 cv::Mat ReadPicture(const std::string& path) {
-  cv::Mat picture = cv::imread(path, cv::IMREAD_COLOR);
+  const std::vector<std::uint8_t> bytes = ReadFileBytes(path);
+  cv::Mat picture = DecodeImage(bytes.data(), bytes.size(), cv::IMREAD_COLOR);
   if (picture.empty()) throw InputError("cannot read a picture from " + path);
   return picture;
 }

@@ -15,13 +15,14 @@ std::size_t Capacity(WhenFull when_full) { return when_full == WhenFull::kBlock 
 
 StageRunner::StageRunner(std::unique_ptr<MappingStage> stage, double period_s, WhenFull when_full)
     : stage_(std::move(stage)),
-      period_s_(period_s),
+      // Half a millisecond less: stamps of a sensor jitter, and that must not cost a whole image.
+      throttle_(period_s - 0.5e-3),
       worker_(std::make_unique<Worker<Item>>(Capacity(when_full), when_full,
                                              [this](const Item& item) { Process(item); })) {}
 
 void StageRunner::Offer(const RgbdImage& image, const TrackedImage& tracked,
                         std::shared_ptr<const KeyframeGraph> graph) {
-  if (tracked.status != TrackingStatus::kTracking || !IsDue(tracked.stamp)) return;
+  if (tracked.status != TrackingStatus::kTracking || !throttle_.IsDue(tracked.stamp)) return;
   worker_->Push({image, tracked, std::move(graph)});
 }
 
@@ -37,14 +38,6 @@ MappingStage::Counts StageRunner::counts() const {
   if (malformed_ > 0) counts["malformed"] = malformed_;
   if (late_ > 0) counts["late"] = late_;
   return counts;
-}
-
-// Half a millisecond: stamps of a sensor jitter, and one of them must not cost a whole image.
-bool StageRunner::IsDue(Stamp stamp) {
-  constexpr double kJitterS = 0.5e-3;
-  if (last_ && SecondsBetween(*last_, stamp) < period_s_ - kJitterS) return false;
-  last_ = stamp;
-  return true;
 }
 
 void StageRunner::Process(const Item& item) try {

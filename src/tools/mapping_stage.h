@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "semantic_slam/camera/rgbd_image.h"
 #include "semantic_slam/common/keyframe_graph.h"
+#include "semantic_slam/common/throttle.h"
 #include "semantic_slam/common/worker.h"
 
 namespace semantic_slam {
@@ -35,8 +35,7 @@ class MappingStage {
   virtual Counts counts() const = 0;
 };
 
-// Runs a stage on a thread of its own, on every image that is at least period_s after the one before
-// it. With kBlock nothing is left out, and the stage sees the same images and graphs in the same order
+// Runs a stage on a thread of its own, on tracked images that are at least period_s apart. With kBlock nothing is left out, and the stage sees the same images and graphs in the same order
 // on every run; with kDropOldest the newest image pushes a waiting one out, and that is counted.
 class StageRunner {
  public:
@@ -49,7 +48,9 @@ class StageRunner {
   // Works off what is left and moves the map to the final graph. No Offer() after that.
   void Finish(const KeyframeGraph& graph);
 
-  // After Finish().
+  const char* name() const { return stage_->name(); }
+
+  // Both after Finish().
   MappingStage& stage() { return *stage_; }
   MappingStage::Counts counts() const;
 
@@ -60,12 +61,10 @@ class StageRunner {
     std::shared_ptr<const KeyframeGraph> graph;
   };
 
-  bool IsDue(Stamp stamp);
   void Process(const Item& item);
 
   const std::unique_ptr<MappingStage> stage_;
-  const double period_s_;
-  std::optional<Stamp> last_;
+  Throttle throttle_;
   std::shared_ptr<const KeyframeGraph> followed_;  // used by the worker only
   std::size_t images_ = 0;                         // the same
   std::size_t malformed_ = 0;                      // the same

@@ -29,10 +29,10 @@ void OpenBag(const std::string& path, Sequence& sequence) {
 }  // namespace
 
 Sequence OpenSequence(const std::string& dataset, const std::string& config_path,
-                      LocalizationOptions& options) {
+                      const std::function<void(YamlReader&)>& read_options) {
   YamlReader file(LoadYamlMap(config_path), config_path);
   const CameraConfig config = ReadCameraConfig(file);
-  ReadLocalizationOptions(file, options);
+  read_options(file);
   file.Finish();
   Sequence sequence;
   sequence.camera = config.intrinsics;

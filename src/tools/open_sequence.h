@@ -1,12 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/dataset/rgbd_source.h"
 #include "semantic_slam/evaluation/trajectory.h"
-#include "semantic_slam/localization/visual_localization.h"
 
 namespace semantic_slam {
 
@@ -18,9 +19,9 @@ struct Sequence {
   Trajectory ground_truth;  // of the colour optical frame; empty if there is none
 };
 
-// Opens a TUM folder or a bag, and reads camera and options from the configuration file. Throws
-// ConfigError or InputError, one line that names the file.
+// Opens a TUM folder or a bag, and reads the camera from the configuration file; `read_options` reads
+// the file's other groups. Throws ConfigError or InputError, one line that names the file.
 Sequence OpenSequence(const std::string& dataset, const std::string& config_path,
-                      LocalizationOptions& options);
+                      const std::function<void(YamlReader&)>& read_options);
 
 }  // namespace semantic_slam

@@ -4,12 +4,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
 
+#include "semantic_slam/common/check.h"
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/worker.h"
 #include "semantic_slam/localization/gravity_alignment.h"
@@ -19,59 +21,93 @@
 #include "tools/command_line.h"
 #include "tools/open_sequence.h"
 #include "tools/progress_bar.h"
+#include "tools/replay_stages.h"
 
 namespace semantic_slam {
 namespace {
 
 constexpr char kPurpose[] =
-    "Localizes a recorded RGB-D sequence and leaves in OUT: trajectory.txt, trajectory_live.txt,\n"
-    "keyframe_trajectory.txt (TUM's format, colour optical frame in the map, z up), trajectory.png,\n"
-    "timing.csv and summary.json. As fast as it can, and with the same bytes on every run (but for\n"
-    "timing.csv); or, with --realtime, at the sensor's rate, dropping images that come too late.";
+    "Runs a recorded RGB-D sequence through every stage and leaves in OUT: trajectory.txt,\n"
+    "trajectory_live.txt, keyframe_trajectory.txt (TUM's format, colour optical frame in the map, z up),\n"
+    "trajectory.png, timing.csv and summary.json; with the stage semantic semantic_map.ot, .bt, .ply,\n"
+    "map_top.png and overview.png; with objects objects.json; with grid grid.pgm, grid.yaml and\n"
+    "semantic_grid.png. As fast as it can, and with the same bytes on every run (but for timing.csv);\n"
+    "or, with --realtime, at the sensor's rate, dropping images that come too late.";
 
 struct Arguments {
   std::string dataset;
   std::string config;
   std::string out;
-  std::string stages = "tracking";
+  std::optional<std::string> stages;
+  StageSelection selection;
   bool realtime = false;
 };
 
-// Refuses what this program cannot do yet, by name.
-void CheckStages(const std::string& stages) {
-  std::istringstream list(stages);
+// By default everything runs that there is a network for.
+void SelectStages(const std::optional<std::string>& stages, StageSelection& selection) {
+  selection.semantic = !selection.segmentation_card.empty();
+  selection.objects = !selection.detection_card.empty();
+  selection.grid = true;
+  if (!stages) return;
+  selection.semantic = selection.objects = selection.grid = false;
   bool tracking = false;
+  std::map<std::string, bool*> known{{"tracking", &tracking},
+                                     {"semantic", &selection.semantic},
+                                     {"objects", &selection.objects},
+                                     {"grid", &selection.grid}};
+  std::istringstream list(*stages);
   for (std::string stage; std::getline(list, stage, ',');) {
-    if (stage == "tracking") {
-      tracking = true;
-    } else if (stage == "semantic" || stage == "objects" || stage == "grid") {
-      throw ConfigError("--stages: stage '" + stage + "' is not available in this version, only tracking is");
-    } else {
-      throw ConfigError("--stages: unknown stage '" + stage + "', expected tracking, semantic, objects or grid");
+    if (known.count(stage) == 0) {
+      throw ConfigError("--stages: unknown stage '" + stage +
+                        "', expected tracking, semantic, objects or grid");
     }
+    *known[stage] = true;
   }
   if (!tracking) throw ConfigError("--stages: tracking is missing; every other stage needs its poses");
 }
 
+void CheckSelection(const StageSelection& selection) {
+  if (selection.semantic && selection.segmentation_card.empty()) {
+    throw ConfigError("--stages: the stage 'semantic' needs --segmentation CARD.yaml");
+  }
+  if (selection.objects && selection.detection_card.empty()) {
+    throw ConfigError("--stages: the stage 'objects' needs --detection CARD.yaml");
+  }
+  CheckInRange("--semantic-period", selection.semantic_period_s, 0.0, 3600.0);
+  CheckInRange("--object-period", selection.object_period_s, 0.0, 3600.0);
+  CheckInRange("--grid-period", selection.grid_period_s, 0.0, 3600.0);
+}
+
 std::optional<Arguments> ParseArguments(CommandLine& command_line) {
   Arguments arguments;
-  std::optional<std::string> segmentation, detection;
+  StageSelection& selection = arguments.selection;
   command_line.RequiredOption("dataset", "DIR|FILE.bag", &arguments.dataset,
                               "a folder in TUM's format or a bag");
   command_line.RequiredOption("config", "CAMERA.yaml", &arguments.config,
                               "camera and options: config/tum_freiburg1.yaml, ...");
   command_line.RequiredOption("out", "OUT", &arguments.out, "folder for the results");
-  command_line.Option("stages", "LIST", &arguments.stages, "stages to run, separated by commas");
-  command_line.Option("segmentation", "CARD.yaml", &segmentation,
-                      "network for the stage 'semantic' (not available in this version)");
-  command_line.Option("detection", "CARD.yaml", &detection,
-                      "network for the stage 'objects' (not available in this version)");
+  command_line.Option("stages", "LIST", &arguments.stages,
+                      "of tracking, semantic, objects, grid, separated by commas; default: all that "
+                      "there is a network for");
+  command_line.Option("segmentation", "CARD.yaml", &selection.segmentation_card,
+                      "network of the stage semantic: config/cards/...");
+  command_line.Option("detection", "CARD.yaml", &selection.detection_card,
+                      "network of the stage objects: config/cards/...");
+  command_line.Option("models", "DIR", &selection.models, "where the networks' files lie, see docs/models.md");
+  command_line.Option("labels", "LABELS.yaml", &selection.labels,
+                      "the vocabulary; default: labels.yaml beside CAMERA.yaml");
+  command_line.Option("semantic-period", "S", &selection.semantic_period_s,
+                      "between two images of the stage semantic [s]");
+  command_line.Option("object-period", "S", &selection.object_period_s, "the same of objects [s]");
+  command_line.Option("grid-period", "S", &selection.grid_period_s, "the same of grid [s]");
   command_line.Flag("realtime", &arguments.realtime,
                     "play at the sensor's rate and drop images that come too late");
   if (!command_line.Parse()) return std::nullopt;
-  if (segmentation) throw ConfigError("--segmentation: the stage 'semantic' is not available in this version");
-  if (detection) throw ConfigError("--detection: the stage 'objects' is not available in this version");
-  CheckStages(arguments.stages);
+  SelectStages(arguments.stages, selection);
+  CheckSelection(selection);
+  if (selection.labels.empty()) {
+    selection.labels = std::filesystem::path(arguments.config).parent_path() / "labels.yaml";
+  }
   return arguments;
 }
 
@@ -95,12 +131,15 @@ struct Run {
   Sequence& sequence;
   const CameraModel& camera;
   VisualLocalization& localization;
+  ReplayStages& stages;
   TrajectoryRecorder recorder;
   RunFacts facts;
 
   void Track(const RgbdImage& image) try {
     if (facts.gravity.empty()) facts.gravity = AlignWithGravity(sequence, image, camera, localization);
-    recorder.Add(localization.Track(image));
+    const TrackedImage tracked = localization.Track(image);
+    recorder.Add(tracked);
+    stages.Offer(image, tracked, localization);
   } catch (const InputError& e) {
     ++facts.dropped["malformed"];
     std::cerr << "dropped image at " << ToString(image.stamp) << " s: " << e.what() << '\n';
@@ -110,7 +149,7 @@ struct Run {
 };
 
 void RunAsFastAsPossible(Run& run) {
-  ProgressBar progress("tracking", run.sequence.source->size());
+  ProgressBar progress("replay", run.sequence.source->size());
   std::size_t done = 0;
   while (const auto image = run.sequence.source->Next()) {
     run.Track(*image);
@@ -120,7 +159,7 @@ void RunAsFastAsPossible(Run& run) {
 
 // The sensor does not wait: an image that finds two others waiting pushes the older one out.
 void RunAtSensorRate(Run& run) {
-  ProgressBar progress("tracking", run.sequence.source->size());
+  ProgressBar progress("replay", run.sequence.source->size());
   std::optional<Worker<RgbdImage>> worker;
   worker.emplace(2, WhenFull::kDropOldest, [&](const RgbdImage& image) { run.Track(image); });
   const auto start = std::chrono::steady_clock::now();
@@ -140,11 +179,16 @@ void RunAtSensorRate(Run& run) {
 int Replay(CommandLine& command_line) {
   const auto arguments = ParseArguments(command_line);
   if (!arguments) return EXIT_SUCCESS;
-  LocalizationOptions options;
-  Sequence sequence = OpenSequence(arguments->dataset, arguments->config, options);
+  ReplayOptions options;
+  Sequence sequence = OpenSequence(arguments->dataset, arguments->config, [&options](YamlReader& file) {
+    ReadReplayOptions(file, options);
+  });
   const auto camera = std::make_shared<const CameraModel>(sequence.camera);
-  VisualLocalization localization(options, camera, arguments->realtime ? MappingMode::kThreaded : MappingMode::kInline);
-  Run run{sequence, *camera, localization, {}, {}};
+  VisualLocalization localization(options.localization, camera,
+                                  arguments->realtime ? MappingMode::kThreaded : MappingMode::kInline);
+  ReplayStages stages(arguments->selection, options, camera,
+                      arguments->realtime ? WhenFull::kDropOldest : WhenFull::kBlock);
+  Run run{sequence, *camera, localization, stages, {}, {}};
   run.facts.source = arguments->dataset;
   run.facts.timings_in_summary = arguments->realtime;
   if (arguments->realtime) {
@@ -155,6 +199,8 @@ int Replay(CommandLine& command_line) {
   localization.Finish();
   if (sequence.source->dropped() > 0) run.facts.dropped["unreadable"] = sequence.source->dropped();
   for (const std::string& problem : sequence.source->problems()) std::cerr << problem << '\n';
+  stages.Finish(localization.keyframe_graph(), arguments->out);
+  stages.AddTo(run.facts);
   WriteRunReport(arguments->out, run.recorder, localization, run.facts, sequence.ground_truth);
   std::cout << run.recorder.tracked() << " of " << run.recorder.images() << " images tracked, "
             << run.recorder.lost() << " lost; results in " << arguments->out << '\n';

@@ -4,14 +4,21 @@ import json
 
 import pytest
 
-REPRODUCIBLE = ("trajectory.txt", "trajectory_live.txt", "keyframe_trajectory.txt", "summary.json")
+TRACKING = {"trajectory.txt", "trajectory_live.txt", "keyframe_trajectory.txt", "trajectory.png", "summary.json"}
+GRID = {"grid.pgm", "grid.yaml", "semantic_grid.png"}
+SEMANTIC = {"semantic_map.ot", "semantic_map_colour.ot", "semantic_map.bt", "semantic_map.ply", "map_top.png",
+            "overview.png"}
+OBJECTS = {"objects.json"}
 
 
 @pytest.fixture(name="run", params=["room", "desk"])
 def fixture_run(request):
-    """A Sequence, and the folder that a replay of it has left."""
+    """A Sequence, the folder that a replay of it has left, replay's options, and the files it should leave."""
     sequence = request.getfixturevalue(request.param)
-    return sequence, request.getfixturevalue(f"{request.param}_replay")
+    out = request.getfixturevalue(f"{request.param}_replay")
+    if request.param == "room":
+        return sequence, out, (), TRACKING | GRID
+    return sequence, out, request.getfixturevalue("networks"), TRACKING | GRID | SEMANTIC | OBJECTS
 
 
 def evaluate(run_program, sequence, out, trajectory="trajectory.txt"):
@@ -25,16 +32,22 @@ def lines(path):
 
 
 def test_leaves_its_results_and_nothing_half_written(run):
-    _, out = run
-    assert {path.name for path in out.iterdir()} == {*REPRODUCIBLE, "timing.csv", "trajectory.png"}
+    _, out, _, files = run
+    assert {path.name for path in out.iterdir()} == files | {"timing.csv"}
 
 
 @pytest.mark.parametrize("before", [(), ("taskset", "-c", "0")], ids=["again", "on one core"])
 def test_leaves_the_same_bytes(run, replay, tmp_path, before):
-    sequence, first = run
-    second = replay(sequence, tmp_path / "out", before)
-    for name in REPRODUCIBLE:
+    sequence, first, options, files = run
+    second = replay(sequence, tmp_path / "out", *options, before=before)
+    for name in files:
         assert (first / name).read_bytes() == (second / name).read_bytes(), name
+
+
+def test_without_other_stages_tracking_is_alone(replay, room, room_replay, tmp_path):
+    out = replay(room, tmp_path / "out", "--stages", "tracking")
+    assert {path.name for path in out.iterdir()} == TRACKING | {"timing.csv"}
+    assert (out / "trajectory.txt").read_bytes() == (room_replay / "trajectory.txt").read_bytes()
 
 
 def test_timings_have_a_row_per_stage(room_replay):
@@ -73,3 +86,12 @@ def test_a_bag_gives_the_same_trajectory_as_its_folder(run_program, replay, room
     errors = json.loads(result.stdout)
     assert errors["matched"] == 120
     assert errors["ate_max_m"] < 0.005
+
+
+def test_the_desk_is_in_its_maps(desk_replay):
+    summary = json.loads((desk_replay / "summary.json").read_text())
+    assert summary["semantic"]["clouds"] == summary["semantic"]["images"] > 90  # of 20 s, one every 0.2 s
+    assert summary["grid"]["images"] > 180  # one every 0.1 s
+    objects = json.loads((desk_replay / "objects.json").read_text())["objects"]
+    # What stands on the desk and the network knows well.
+    assert {"tv", "keyboard", "books"} <= {thing["class"] for thing in objects}

@@ -92,4 +92,20 @@ class YamlReader {
   std::set<std::string> known_;
 };
 
+// Fills every group of `options` that its VisitGroups() names from the sub-mapping of that name.
+template <typename Options>
+void ReadOptionGroups(YamlReader& reader, Options& options) {
+  Options::VisitGroups(options,
+                       [&reader](const char* name, auto& group) { reader.ReadOptions(name, group); });
+}
+
+// The same one level deeper: the groups are sub-mappings of the sub-mapping `key`, and it may hold
+// nothing else.
+template <typename Options>
+void ReadOptionGroups(YamlReader& reader, const std::string& key, Options& options) {
+  YamlReader group = reader.Group(key);
+  ReadOptionGroups(group, options);
+  group.Finish();
+}
+
 }  // namespace semantic_slam
