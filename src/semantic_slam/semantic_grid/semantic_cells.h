@@ -31,7 +31,8 @@ struct SemanticCells {
 
   int classes_per_cell = 3;                  // k
   std::vector<LabelId> labels;               // k per cell by descending probability; 0 unknown
-  std::vector<std::uint8_t> probabilities;   // as labels; floor(255 p)
+  // As labels; floor(255 p). Things stand on each other, so those of a cell may sum up to more than 1.
+  std::vector<std::uint8_t> probabilities;
 
   std::vector<float> min_height_m;  // lowest thing in the cell; NaN where nothing was seen
   std::vector<float> max_height_m;  // highest thing in the cell; NaN where nothing was seen
