@@ -49,6 +49,15 @@ TEST_F(MapPictureTest, HigherIsBrighter) {
   EXPECT_NEAR(floor[2], 0.45 * 150, 1.0);  // the darkest shade, rounded
 }
 
+TEST_F(MapPictureTest, HasALegendOnlyForClasses) {
+  MapPictureOptions options;
+  options.colour_mode = ColourMode::kRgb;
+  const cv::Mat classes = DrawMapFromAbove(tree_, *vocabulary_);
+  const cv::Mat seen = DrawMapFromAbove(tree_, *vocabulary_, options);
+  EXPECT_LT(seen.cols, classes.cols - 200);
+  EXPECT_EQ(CountHue(seen, {255, 127, 14}), 0);
+}
+
 TEST_F(MapPictureTest, LeavesOutWhatIsTooHigh) {
   MapPictureOptions options;
   options.max_z_m = 0.5;

@@ -190,11 +190,14 @@ cv::Mat DrawMapFromAbove(const SemanticOcTree& tree, const LabelVocabulary& voca
     return canvas.Image();
   }
   const cv::Mat map = columns.Draw();
-  const cv::Size size(map.cols + 3 * kMargin + kLegendWidth,
+  const bool has_legend = options.colour_mode == ColourMode::kClass;
+  const cv::Size size(map.cols + 2 * kMargin + (has_legend ? kMargin + kLegendWidth : 0),
                       std::max(map.rows, kMinHeight) + kMargin + kFooter);
   PlotCanvas canvas(size);
-  DrawLegend(Legend(columns.voxels_per_label(), vocabulary), {map.cols + 2.0 * kMargin, kMargin},
-             size.height - 2.0 * kMargin, canvas);
+  if (has_legend) {
+    DrawLegend(Legend(columns.voxels_per_label(), vocabulary), {map.cols + 2.0 * kMargin, kMargin},
+               size.height - 2.0 * kMargin, canvas);
+  }
   DrawScaleBar(columns.PixelsPerMetre(), std::max(60.0, 0.3 * map.cols),
                {1.0 * kMargin, size.height - 0.5 * kFooter}, canvas);
   cv::Mat picture = canvas.Image();

@@ -21,8 +21,8 @@ struct MapPictureOptions {
 };
 
 // The map from above, x to the right and y up: of each column the highest occupied voxel, the
-// darker the lower, with a legend of the classes that are in the map, and a scale. An empty map
-// gives a picture that says so. CV_8UC3, BGR.
+// darker the lower, with a scale, and in the colours of the classes with a legend of those that are
+// in the map. An empty map gives a picture that says so. CV_8UC3, BGR.
 cv::Mat DrawMapFromAbove(const SemanticOcTree& tree, const LabelVocabulary& vocabulary,
                          const MapPictureOptions& options = {});
 
