@@ -33,8 +33,9 @@ TEST(BoxTracksTest, ReadsWhatItWrites) {
 
 TEST(BoxTracksTest, AnythingElseIsRefusedWithFileAndLine) {
   const TemporaryFolder folder;
-  for (const char* bad : {"1,2,3", "1,1,x,2,3,4,1", "0,1,1,2,3,4,1", "1,1,1,2,-3,4,1",
-                          "1,1,nan,2,3,4,1", "1,1,1e400,2,3,4,1"}) {
+  for (const char* bad :
+       {"1,2,3", "1 1 1 2 3 4 1", "1,1,x,2,3,4,1", "0,1,1,2,3,4,1", "2000000000,1,1,2,3,4,1",
+        "1,1,1,2,-3,4,1", "1,1,nan,2,3,4,1", "1,1,1e400,2,3,4,1"}) {
     const std::string path = folder.Write("bad.txt", std::string("1,1,1,2,3,4,1\n") + bad + "\n");
     ExpectOneLineWith(MessageOf<InputError>([&] { ReadBoxTracks(path); }),
                       {"bad.txt:2", "frame,id"});

@@ -46,6 +46,15 @@ REFUSED = [
     ("octree_convert", "{tmp}/map.ot", "OUT"),
     ("octree_convert", "{tmp}/missing.ot {tmp}/o.bt", "{tmp}/missing.ot"),
     ("octree_convert", "{tmp}/text.bag {tmp}/o.bt", "{tmp}/text.bag OctoMap"),
+    ("track_boxes", "", "DET.txt"),
+    ("track_boxes", "{tmp}/boxes.txt", "--out"),
+    ("track_boxes", "{tmp}/missing.txt --out {tmp}/o.txt", "{tmp}/missing.txt"),
+    ("track_boxes", "{tmp}/bad_trajectory.txt --out {tmp}/o.txt", "{tmp}/bad_trajectory.txt:1"),
+    ("track_boxes", "{tmp}/boxes.txt --out {tmp}/text.bag/o.txt", "{tmp}/text.bag"),
+    ("track_boxes", "{tmp}/boxes.txt --out {tmp}/o.txt --low 2", "low_confidence"),
+    ("evaluate_tracking", "{tmp}/boxes.txt", "OUT.txt"),
+    ("evaluate_tracking", "{tmp}/boxes.txt {tmp}/missing.txt", "{tmp}/missing.txt"),
+    ("evaluate_tracking", "{tmp}/empty.txt {tmp}/boxes.txt", "reference"),
     ("tum_to_bag", "{room}", "OUT.bag"),
     ("tum_to_bag", "{tmp}/missing {tmp}/out.bag", "{tmp}/missing"),
     ("tum_to_bag", "{tmp}/empty {tmp}/out.bag", "{tmp}/empty rgb.txt"),
@@ -61,6 +70,7 @@ def fixture_tmp(tmp_path, repository):
     (tmp_path / "empty").mkdir()
     (tmp_path / "text.bag").write_text("not a bag\n")
     (tmp_path / "empty.txt").write_text("")
+    (tmp_path / "boxes.txt").write_text("1,1,10,20,30,40,0.9,-1,-1,-1\n")
     (tmp_path / "unknown_key.yaml").write_text(
         (repository / "config/tum_freiburg1.yaml").read_text() + "focal: 500\n")
     (tmp_path / "bad_trajectory.txt").write_text("1 0 0 0 0 0 0 1\n2 0 0 zero 0 0 0 1\n")

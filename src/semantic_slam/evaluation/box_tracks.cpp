@@ -13,13 +13,18 @@
 namespace semantic_slam {
 namespace {
 
+constexpr int kLeastCommas = 6;
+constexpr int kMaxFrame = 1000000;  // nine hours; a greater number is none of a frame
+
 bool IsUsable(const BoxInFrame& box) {
-  return box.frame >= 1 && std::isfinite(box.box.x) && std::isfinite(box.box.y) &&
-         std::isfinite(box.box.width) && std::isfinite(box.box.height) && box.box.width >= 0.0 &&
-         box.box.height >= 0.0 && std::isfinite(box.confidence);
+  return box.frame >= 1 && box.frame <= kMaxFrame && std::isfinite(box.box.x) &&
+         std::isfinite(box.box.y) && std::isfinite(box.box.width) &&
+         std::isfinite(box.box.height) && box.box.width >= 0.0 && box.box.height >= 0.0 &&
+         std::isfinite(box.confidence);
 }
 
 std::optional<BoxInFrame> ParseLine(std::string line) {
+  if (std::count(line.begin(), line.end(), ',') < kLeastCommas) return std::nullopt;
   std::replace(line.begin(), line.end(), ',', ' ');
   std::istringstream stream(line);
   stream.imbue(std::locale::classic());

@@ -7,19 +7,13 @@
 #include <utility>
 
 #include "semantic_slam/common/error.h"
-#include "semantic_slam/common/options.h"
+#include "semantic_slam/common/option_groups.h"
 #include "semantic_slam/detection/box_geometry.h"
 
 namespace semantic_slam {
 namespace {
 
 constexpr double kJumpBackS = 1.0;
-
-const ObjectMappingOptions& ValidatedGroups(const ObjectMappingOptions& options) {
-  ObjectMappingOptions::VisitGroups(options,
-                                    [](const char*, const auto& group) { Validate(group); });
-  return options;
-}
 
 std::vector<LabelId> ParseClasses(const std::string& names, const LabelVocabulary& vocabulary) {
   std::vector<LabelId> labels;

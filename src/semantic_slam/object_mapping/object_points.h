@@ -12,7 +12,7 @@
 namespace semantic_slam {
 
 struct ObjectPointsOptions {
-  int max_points = 1500;         // read per box: of larger boxes every n-th pixel
+  int max_points = 2000;         // read per box: of larger boxes some rows and columns only
   int min_points = 30;           // an object with fewer is none
   double max_depth_m = 5.0;      // farther readings are too noisy
   double cluster_gap_m = 0.05;   // points farther apart do not belong together, thesis eq. (3.22)

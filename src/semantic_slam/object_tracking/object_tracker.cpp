@@ -7,19 +7,13 @@
 
 #include "semantic_slam/common/assignment.h"
 #include "semantic_slam/common/error.h"
-#include "semantic_slam/common/options.h"
+#include "semantic_slam/common/option_groups.h"
 #include "semantic_slam/detection/box_geometry.h"
 
 namespace semantic_slam {
 namespace {
 
 constexpr double kJumpBackS = 1.0;
-
-const ObjectTrackingOptions& ValidatedGroups(const ObjectTrackingOptions& options) {
-  ObjectTrackingOptions::VisitGroups(options,
-                                     [](const char*, const auto& group) { Validate(group); });
-  return options;
-}
 
 std::string ToString(cv::Size size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);

@@ -14,9 +14,8 @@ struct TopPlaneOptions {
   double max_tilt_rad = 0.26;  // of the plane against level
   double min_share = 0.15;     // of an object's points that lie on its top
   int min_points = 30;         // that lie on it
-  double upper_share =
-      0.4;  // a higher plane with this share of the largest one's points is the top
-  int max_iterations = 200;  // of RANSAC
+  double upper_share = 0.4;    // of the largest plane's points: a higher one with them is the top
+  int max_iterations = 200;    // of RANSAC
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
