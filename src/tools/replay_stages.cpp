@@ -14,7 +14,7 @@ void ReadReplayOptions(YamlReader& file, ReplayOptions& options) {
   ReadLocalizationOptions(file, options.localization);
   ReadSemanticStageOptions(file, options.semantic);
   ReadObjectStageOptions(file, options.objects);
-  ReadOptionGroups(file, "grid_slam", options.grid_slam);
+  ReadGridSlamOptions(file, options.grid_slam);
   file.ReadOptions("semantic_grid", options.semantic_grid);
   file.ReadOptions("semantic_costs", options.semantic_costs);
 }
