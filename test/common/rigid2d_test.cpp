@@ -26,5 +26,13 @@ TEST(Rigid2dTest, FlattensAPoseInSpace) {
   EXPECT_NEAR(Yaw(flat), 0.7, kRounding) << "tilt about the pose's own y axis is not yaw";
 }
 
+TEST(Rigid2dTest, ComesBackFromSpace) {
+  const Rigid2d T = MakeRigid2d({1.0, -2.0}, 2.5);
+  const Rigid3d T_space = InSpace(T);
+  EXPECT_EQ(T_space.translation().z(), 0.0);
+  EXPECT_TRUE(T_space.linear().col(2).isApprox(Eigen::Vector3d::UnitZ(), kRounding));
+  EXPECT_TRUE(Flattened(T_space).isApprox(T, kRounding));
+}
+
 }  // namespace
 }  // namespace semantic_slam

@@ -11,13 +11,6 @@
 
 namespace semantic_slam {
 
-inline Rigid3d InSpace(const Rigid2d& T) {
-  Rigid3d T_space = Rigid3d::Identity();
-  T_space.linear().topLeftCorner<2, 2>() = T.linear();
-  T_space.translation().head<2>() = T.translation();
-  return T_space;
-}
-
 // A camera that stands level at a place in the plane and looks along its x axis.
 inline Rigid3d LevelCamera(const Rigid2d& T_map_scan) {
   Rigid3d T_level_camera = Rigid3d::Identity();

@@ -31,4 +31,12 @@ inline Rigid2d Flattened(const Rigid3d& T) {
   return MakeRigid2d(T.translation().head<2>(), std::atan2(T(1, 0), T(0, 0)));
 }
 
+// The same pose in space, at height 0 and without tilt.
+inline Rigid3d InSpace(const Rigid2d& T) {
+  Rigid3d T_space = Rigid3d::Identity();
+  T_space.linear().topLeftCorner<2, 2>() = T.linear();
+  T_space.translation().head<2>() = T.translation();
+  return T_space;
+}
+
 }  // namespace semantic_slam

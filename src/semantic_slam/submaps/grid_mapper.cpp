@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 #include "semantic_slam/camera/level_frame.h"
-#include "semantic_slam/submaps/submap_merging.h"
 
 namespace semantic_slam {
 
@@ -28,11 +25,9 @@ const char* ToString(InsertOutcome outcome) {
 
 GridMapper::GridMapper(const GridSlamOptions& options)
     : options_(Validated(options.grid_mapper)),
-      resolution_m_(options.submaps.resolution_m),
       reach_m_(options.scan.max_range_m + options.submaps.min_distance_m),
-      inserter_(options.scan_inserter),
       matcher_(options.scan_matcher, options.correlative_matcher, options.ceres_matcher),
-      active_(options.submaps) {}
+      submaps_(options.submaps, options.scan_inserter, options_.max_submaps) {}
 
 InsertOutcome GridMapper::Insert(const PlanarScan& scan, const TrackedImage& image) {
   if (image.status != TrackingStatus::kTracking) return InsertOutcome::kNotTracked;
@@ -42,8 +37,10 @@ InsertOutcome GridMapper::Insert(const PlanarScan& scan, const TrackedImage& ima
   const bool is_near = T_map_camera.translation().norm() <= options_.max_distance_m;
   if (!is_near || !IsFinite(T_map_camera)) return InsertOutcome::kTooFar;
   if (!HasMoved(T_map_camera)) return InsertOutcome::kNotMoved;
-  if (options_.match_scans) anchored.T_map_scan = Matched(scan, anchored.T_map_scan);
-  Close(active_.Insert(anchored, inserter_));
+  if (options_.match_scans) {
+    anchored.T_map_scan = submaps_.Match(matcher_, scan, anchored.T_map_scan);
+  }
+  submaps_.Insert(anchored);
   last_T_map_camera_ = T_map_camera;
   stamp_ = std::max(stamp_, scan.stamp);
   ++changes_;
@@ -55,18 +52,16 @@ void GridMapper::FollowGraph(const KeyframeGraph& graph) {
   if (keyframes_.map_id() == graph.map_id && graph.revision < keyframes_.revision()) return;
   keyframes_ = KeyframePoses(graph);
   bool moved = false;
-  const auto follow = [&](Submap& submap) {
-    const auto T_map_keyframe = keyframes_.Find(submap.keyframe());
-    if (!T_map_keyframe) return;
-    moved |= submap.Follow(*T_map_keyframe, reach_m_, options_.follow_threshold_m);
-  };
-  for (const auto& submap : closed_) follow(*submap);
-  for (const auto& submap : active_.submaps()) follow(*submap);
+  for (Submap* submap : submaps_.all()) {
+    const auto T_map_keyframe = keyframes_.Find(submap->keyframe());
+    if (!T_map_keyframe) continue;
+    moved |= submap->Follow(*T_map_keyframe, reach_m_, options_.follow_threshold_m);
+  }
   if (moved) ++changes_;
 }
 
 OccupancyMap GridMapper::Render() const {
-  OccupancyMap map = MergeSubmaps(AllSubmaps(), resolution_m_);
+  OccupancyMap map = submaps_.Render();
   map.stamp = stamp_;
   map.map_id = map_id_;
   map.revision = keyframes_.revision();
@@ -75,8 +70,7 @@ OccupancyMap GridMapper::Render() const {
 
 void GridMapper::Reset() {
   if (submaps() > 0) ++changes_;
-  closed_.clear();
-  active_.Reset();
+  submaps_.Reset();
   last_T_map_camera_.reset();
   stamp_ = Stamp();
 }
@@ -106,31 +100,6 @@ bool GridMapper::HasMoved(const Rigid3d& T_map_camera) const {
   const Rigid3d motion = last_T_map_camera_->inverse() * T_map_camera;
   return motion.translation().norm() > options_.min_motion_m ||
          RotationAngle(motion.linear()) > options_.min_turn_deg * M_PI / 180.0;
-}
-
-Rigid2d GridMapper::Matched(const PlanarScan& scan, const Rigid2d& T_map_scan) const {
-  if (active_.submaps().empty()) return T_map_scan;
-  const Submap& oldest = *active_.submaps().front();
-  const auto match =
-      matcher_.Match(HitPoints(scan), oldest.grid(), oldest.T_map_submap().inverse() * T_map_scan);
-  return match ? oldest.T_map_submap() * match->T_grid_scan : T_map_scan;
-}
-
-void GridMapper::Close(std::vector<std::unique_ptr<Submap>> submaps) {
-  std::move(submaps.begin(), submaps.end(), std::back_inserter(closed_));
-  while (this->submaps() > static_cast<std::size_t>(options_.max_submaps)) {
-    std::vector<const Submap*> closed = AllSubmaps();
-    closed.resize(closed_.size());
-    closed_.erase(closed_.begin() + static_cast<std::ptrdiff_t>(LeastMissed(closed)));
-  }
-}
-
-// By ascending id.
-std::vector<const Submap*> GridMapper::AllSubmaps() const {
-  std::vector<const Submap*> all;
-  for (const auto& submap : closed_) all.push_back(submap.get());
-  for (const auto& submap : active_.submaps()) all.push_back(submap.get());
-  return all;
 }
 
 }  // namespace semantic_slam

@@ -1,17 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include "semantic_slam/common/keyframe_graph.h"
 #include "semantic_slam/common/keyframe_poses.h"
 #include "semantic_slam/scan/planar_scan.h"
 #include "semantic_slam/scan_matching/scan_matcher.h"
-#include "semantic_slam/submaps/active_submaps.h"
 #include "semantic_slam/submaps/grid_slam_options.h"
 #include "semantic_slam/submaps/occupancy_map.h"
+#include "semantic_slam/submaps/submap_collection.h"
 
 namespace semantic_slam {
 
@@ -58,25 +56,19 @@ class GridMapper {
   // Forgets everything but which map it is.
   void Reset();
 
-  std::size_t submaps() const { return closed_.size() + active_.submaps().size(); }
+  std::size_t submaps() const { return submaps_.size(); }
 
  private:
   bool BelongsToTheMap(int map_id);
   AnchoredScan Anchored(const PlanarScan& scan, const TrackedImage& image) const;
   bool HasMoved(const Rigid3d& T_map_camera) const;
-  Rigid2d Matched(const PlanarScan& scan, const Rigid2d& T_map_scan) const;
-  void Close(std::vector<std::unique_ptr<Submap>> submaps);
-  std::vector<const Submap*> AllSubmaps() const;
 
   const GridMapperOptions options_;
-  const double resolution_m_;
   const double reach_m_;  // how far from a submap's frame its walls are
-  const ScanInserter inserter_;
   const ScanMatcher matcher_;
   int map_id_ = 0;
   KeyframePoses keyframes_;
-  std::vector<std::unique_ptr<Submap>> closed_;  // by ascending id
-  ActiveSubmaps active_;
+  SubmapCollection submaps_;
   std::optional<Rigid3d> last_T_map_camera_;  // of the scan entered last
   Stamp stamp_;                               // of the newest scan
   std::uint64_t changes_ = 0;
