@@ -21,11 +21,10 @@ constexpr int kMaxBackgroundPlanes = 3;
 constexpr int kMaxSurroundPoints = 400;
 constexpr int kMinSurroundPoints = 30;  // fewer say nothing about a plane
 // Of pixels that are read, columns are four times farther apart than rows: what lies level is seen
-// at a flat angle, so that its rows are far apart in space.
+// at a flat angle, 7 degrees at worst, so that its rows are eight times farther apart in space.
 constexpr double kRowsPerColumn = 4.0;
-// Neighbours on a surface are at most this many times farther apart than columns are across the
-// view.
-constexpr double kSlant = 2.0;
+constexpr double kRowSlant = 8.0;
+constexpr double kColumnSlant = 2.0;
 constexpr double kFrontQuantile = 0.2;  // of the depths in the middle of a box: its nearest surface
 
 // The pixels whose centre is in the box: an edge may lie half a pixel outside of the image.
@@ -174,9 +173,10 @@ class Extraction {
   bool KeepLargestCluster() {
     const auto cloud = pcl::PointCloud<pcl::PointXYZ>::Ptr(new pcl::PointCloud<pcl::PointXYZ>);
     for (const Eigen::Vector3f& p : points_) cloud->push_back({p.x(), p.y(), p.z()});
-    const double spacing_m = grid_.du * MedianDepth(points_) / camera_.intrinsics().fx_px;
+    const double spacing_px = std::max(kColumnSlant * grid_.du, kRowSlant * grid_.dv);
+    const double spacing_m = spacing_px * MedianDepth(points_) / camera_.intrinsics().fx_px;
     pcl::EuclideanClusterExtraction<pcl::PointXYZ> clustering;
-    clustering.setClusterTolerance(std::max(options_.cluster_gap_m, kSlant * spacing_m));
+    clustering.setClusterTolerance(std::max(options_.cluster_gap_m, spacing_m));
     clustering.setMinClusterSize(options_.min_points);
     clustering.setSearchMethod(
         pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
