@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 #include "semantic_slam/semantic_grid/semantic_costs.h"
 #include "semantic_slam_ros/conversions.h"
 
@@ -85,15 +86,9 @@ void CheckSizes(const GridMsg& msg) {
 }
 
 void CheckLabels(const GridMsg& msg, const LabelVocabulary& vocabulary) {
-  if (msg.label_set_hash != vocabulary.hash()) {
-    throw InputError("semantic grid: made with another label set, hash " +
-                     std::to_string(msg.label_set_hash) + ", expected " +
-                     std::to_string(vocabulary.hash()));
-  }
+  semantic_slam::CheckLabelSet("semantic grid", msg.label_set_hash, vocabulary);
   for (const semantic_slam::LabelId label : msg.labels) {
-    if (vocabulary.Contains(label)) continue;
-    throw InputError("semantic grid: label id " + std::to_string(label) +
-                     " is not in the vocabulary");
+    semantic_slam::CheckLabel("semantic grid", label, vocabulary);
   }
 }
 

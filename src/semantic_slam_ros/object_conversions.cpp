@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 #include "semantic_slam_ros/conversions.h"
 
 namespace semantic_slam_ros {
@@ -110,9 +111,7 @@ std::vector<LabelProbability> ReadLabels(const ObjectMsg& msg, const LabelVocabu
   float sum = 0.0f, last = 1.0f + kRounding;
   for (std::size_t i = 0; i < msg.labels.size(); ++i) {
     const float p = msg.probabilities[i];
-    if (!vocabulary.Contains(msg.labels[i])) {
-      throw InputError("label id " + std::to_string(msg.labels[i]) + " is not in the vocabulary");
-    }
+    semantic_slam::CheckLabel("labels", msg.labels[i], vocabulary);
     if (!(p >= 0.0f && p <= last)) {
       throw InputError("probability is " + std::to_string(p) +
                        ", expected 0 to 1 in descending order");
@@ -127,10 +126,11 @@ std::vector<LabelProbability> ReadLabels(const ObjectMsg& msg, const LabelVocabu
   return labels;
 }
 
-Eigen::Vector3d ReadPosition(const ObjectMsg& msg) {
-  const Eigen::Vector3d position(msg.position.x, msg.position.y, msg.position.z);
-  if (!position.allFinite()) throw InputError("position is not finite");
-  return position;
+template <typename XYZ>
+Eigen::Vector3d ReadVector(const XYZ& msg, const char* what) {
+  const Eigen::Vector3d v(msg.x, msg.y, msg.z);
+  if (!v.allFinite()) throw InputError(std::string(what) + " is not finite");
+  return v;
 }
 
 Eigen::Matrix3d ReadCovariance(const ObjectMsg& msg) {
@@ -140,14 +140,6 @@ Eigen::Matrix3d ReadCovariance(const ObjectMsg& msg) {
     throw InputError("position_covariance is not finite or has a negative variance");
   }
   return covariance;
-}
-
-Eigen::Vector3d ReadBoxSize(const ObjectMsg& msg) {
-  const Eigen::Vector3d size(msg.box_size.x, msg.box_size.y, msg.box_size.z);
-  if (!size.allFinite() || !(size.array() >= 0.0).all()) {
-    throw InputError("box_size is negative or not finite");
-  }
-  return size;
 }
 
 std::vector<Eigen::Vector2d> ReadFootprint(const ObjectMsg& msg) {
@@ -163,10 +155,11 @@ MapObject ToMapObject(const ObjectMsg& msg, const LabelVocabulary& vocabulary) t
   MapObject object;
   object.id = msg.id;
   object.labels = ReadLabels(msg, vocabulary);
-  object.position_m = ReadPosition(msg);
+  object.position_m = ReadVector(msg.position, "position");
   object.position_covariance_m2 = ReadCovariance(msg);
   object.T_map_box = ToRigid(msg.box_pose);
-  object.box_size_m = ReadBoxSize(msg);
+  object.box_size_m = ReadVector(msg.box_size, "box_size");
+  if (object.box_size_m.minCoeff() < 0.0) throw InputError("box_size is negative");
   if (!std::isfinite(msg.min_height) || !std::isfinite(msg.max_height) ||
       msg.min_height > msg.max_height) {
     throw InputError("heights are " + std::to_string(msg.min_height) + " to " +
@@ -287,11 +280,7 @@ semantic_slam::SemanticObjectArray ToSemanticObjectArray(const ObjectMap& map,
 
 ObjectMap ToObjectMap(const semantic_slam::SemanticObjectArray& msg,
                       const LabelVocabulary& vocabulary) {
-  if (msg.label_set_hash != vocabulary.hash()) {
-    throw InputError("objects: made with another label set, hash " +
-                     std::to_string(msg.label_set_hash) + ", expected " +
-                     std::to_string(vocabulary.hash()));
-  }
+  semantic_slam::CheckLabelSet("objects", msg.label_set_hash, vocabulary);
   ObjectMap map;
   map.stamp = ToStamp(msg.header.stamp);
   map.map_id = msg.map_id;

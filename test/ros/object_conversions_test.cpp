@@ -210,7 +210,7 @@ TEST(ObjectConversionsTest, RefuseWhatIsMalformed) {
       ToSemanticObjectArray(SomeMap(), "map"),
       {{[](M& m) { m.label_set_hash = 1; }, "objects: made with another label set, hash 1"},
        {[](M& m) { m.objects[1].id = 12; }, "objects: id 12 follows 12, expected ascending ids"},
-       {[](M& m) { m.objects[1].labels[0] = 8; }, who + "label id 8 is not in the vocabulary"},
+       {[](M& m) { m.objects[1].labels[0] = 8; }, who + "labels: label id 8 is not in the vocabulary"},
        {[](M& m) { m.objects[1].labels.pop_back(); }, who + "has 1 labels and 2 probabilities"},
        {[](M& m) { m.objects[1].probabilities[0] = kNanF; }, who + "probability is nan"},
        {[](M& m) { m.objects[1].probabilities[1] = 0.875f; }, who + "probability is 0.875000"},

@@ -3,20 +3,14 @@
 #include <string>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 #include "semantic_slam/detection/box_geometry.h"
 
 namespace semantic_slam {
 void CheckDetections(const Detections& detections, const LabelVocabulary& vocabulary) {
-  if (detections.vocabulary_hash != vocabulary.hash()) {
-    throw InputError("detections: made with another label set, hash " +
-                     std::to_string(detections.vocabulary_hash) + ", expected " +
-                     std::to_string(vocabulary.hash()));
-  }
+  CheckLabelSet("detections", detections.vocabulary_hash, vocabulary);
   for (const DetectedBox& found : detections.boxes) {
-    if (!vocabulary.Contains(found.label)) {
-      throw InputError("detections: label id " + std::to_string(found.label) +
-                       " is not in the vocabulary");
-    }
+    CheckLabel("detections", found.label, vocabulary);
     if (!(found.confidence >= 0.0f && found.confidence <= 1.0f)) {
       throw InputError("detections: confidence is " + std::to_string(found.confidence) +
                        ", expected 0 to 1");

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 
 namespace semantic_slam {
 namespace {
@@ -29,11 +30,7 @@ void CheckLabels(const cv::Mat& plane, const LabelVocabulary& vocabulary) {
 }  // namespace
 
 void CheckSegmentation(const Segmentation& segmentation, const LabelVocabulary& vocabulary) {
-  if (segmentation.vocabulary_hash != vocabulary.hash()) {
-    throw InputError("segmentation: made with another label set, hash " +
-                     std::to_string(segmentation.vocabulary_hash) + ", expected " +
-                     std::to_string(vocabulary.hash()));
-  }
+  CheckLabelSet("segmentation", segmentation.vocabulary_hash, vocabulary);
   if (segmentation.labels[0].empty()) throw InputError("segmentation: has no pixels");
   for (int i = 0; i < kTopLabels; ++i) {
     CheckPlane(segmentation.labels[i], segmentation.size(), "label", i);

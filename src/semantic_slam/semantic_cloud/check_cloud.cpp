@@ -3,6 +3,7 @@
 #include <string>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 
 namespace semantic_slam {
 namespace {
@@ -29,19 +30,11 @@ void CheckConfidences(const std::array<float, kTopLabels>& confidences) {
 }  // namespace
 
 void CheckSemanticCloud(const SemanticCloud& cloud, const LabelVocabulary& vocabulary) {
-  if (cloud.vocabulary_hash != vocabulary.hash()) {
-    throw InputError("semantic cloud: made with another label set, hash " +
-                     std::to_string(cloud.vocabulary_hash) + ", expected " +
-                     std::to_string(vocabulary.hash()));
-  }
+  CheckLabelSet("semantic cloud", cloud.vocabulary_hash, vocabulary);
   for (const SemanticPoint& point : cloud.points) {
     if (!point.position.allFinite()) throw InputError("semantic cloud: a position is not finite");
     CheckConfidences(point.confidences);
-    for (const LabelId label : point.labels) {
-      if (vocabulary.Contains(label)) continue;
-      throw InputError("semantic cloud: label id " + std::to_string(label) +
-                       " is not in the vocabulary");
-    }
+    for (const LabelId label : point.labels) CheckLabel("semantic cloud", label, vocabulary);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 
 namespace semantic_slam {
 namespace {
@@ -21,11 +22,8 @@ void CheckInput(const OccupancyMap& map, const ObjectMap& objects,
                      std::to_string(map.height) + " has " + std::to_string(map.cells.size()) +
                      " cells");
   }
-  if (!objects.objects.empty() && objects.vocabulary_hash != vocabulary.hash()) {
-    throw InputError("semantic grid: objects were made with another label set, hash " +
-                     std::to_string(objects.vocabulary_hash) + ", expected " +
-                     std::to_string(vocabulary.hash()));
-  }
+  if (objects.objects.empty()) return;
+  CheckLabelSet("semantic grid: objects", objects.vocabulary_hash, vocabulary);
 }
 
 // The box as seen from above.
