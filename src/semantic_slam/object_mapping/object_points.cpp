@@ -178,8 +178,9 @@ class Extraction {
     pcl::EuclideanClusterExtraction<pcl::PointXYZ> clustering;
     clustering.setClusterTolerance(std::max(options_.cluster_gap_m, spacing_m));
     clustering.setMinClusterSize(options_.min_points);
+    constexpr bool kSorted = false;  // by distance: clusters do not need it
     clustering.setSearchMethod(
-        pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
+        pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>(kSorted)));
     clustering.setInputCloud(cloud);
     std::vector<pcl::PointIndices> clusters;
     clustering.extract(clusters);
