@@ -89,7 +89,7 @@ bool SemanticMapper::FollowGraph(const KeyframeGraph& graph) {
   const bool is_new_map = graph.map_id != poses_.map_id() || graph.revision < poses_.revision();
   poses_ = KeyframePoses(graph);
   if (is_new_map) {
-    const bool had_content = counts_.inserted > 0;
+    const bool had_content = tree_->getRoot() != nullptr;
     Reset();
     return had_content;
   }

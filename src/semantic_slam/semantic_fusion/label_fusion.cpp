@@ -48,7 +48,7 @@ class Candidates {
   }
 
  private:
-  std::array<Entry, 2 * kTopLabels> entries_;
+  std::array<Entry, 2 * kTopLabels> entries_{};
   int count_ = 0;
 };
 
