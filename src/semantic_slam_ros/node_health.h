@@ -16,7 +16,7 @@ namespace semantic_slam_ros {
 
 // Tells on /diagnostics how a node is: what its owner says of its state, how long its work takes,
 // and what it dropped, by cause. Once per ~diagnostic_period of the wall's clock, also while a
-// simulated one stands. AddLatency() and counts are thread-safe.
+// simulated one stands. AddLatency() and processed() may be called from any thread.
 class NodeHealth {
  public:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
