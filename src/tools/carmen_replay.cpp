@@ -1,5 +1,6 @@
 // 2D SLAM on a laser log.
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>

@@ -31,7 +31,7 @@ constexpr char kPurpose[] =
     "trajectory_live.txt, keyframe_trajectory.txt (TUM's format, colour optical frame in the map, z up),\n"
     "trajectory.png, timing.csv and summary.json; with the stage semantic semantic_map.ot, .bt, .ply,\n"
     "map_top.png and overview.png; with objects objects.json; with grid grid.pgm, grid.yaml and\n"
-    "semantic_grid.png. As fast as it can, and with the same bytes on every run (but for timing.csv);\n"
+    "semantic_grid.pgm, .yaml, .png. As fast as it can, and with the same bytes on every run (but for timing.csv);\n"
     "or, with --realtime, at the sensor's rate, dropping images that come too late.";
 
 struct Arguments {

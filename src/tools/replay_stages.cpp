@@ -1,12 +1,8 @@
 #include "tools/replay_stages.h"
 
-#include <filesystem>
 #include <utility>
 
-#include <opencv2/imgcodecs.hpp>
-
-#include "semantic_slam/common/atomic_file.h"
-#include "semantic_slam/semantic_grid/semantic_grid_picture.h"
+#include "semantic_slam/semantic_grid/semantic_grid_file.h"
 
 namespace semantic_slam {
 
@@ -71,10 +67,7 @@ void ReplayStages::WriteSemanticGrid(const std::string& folder) {
     StageTimer::Scope scope(timer_, "grid.semantic_grid");
     cells = builder.Build(map, objects);
   }
-  const cv::Mat picture = DrawSemanticGrid(cells, map, objects, *vocabulary_);
-  WriteFileAtomicallyVia(
-      std::filesystem::path(folder) / "semantic_grid.png",
-      [&picture](const std::string& path) { return cv::imwrite(path, picture); });
+  semantic_slam::WriteSemanticGrid(folder, cells, map, objects, *vocabulary_);
 }
 
 // What there is where no stage looks for objects.

@@ -5,7 +5,7 @@ import json
 import pytest
 
 TRACKING = {"trajectory.txt", "trajectory_live.txt", "keyframe_trajectory.txt", "trajectory.png", "summary.json"}
-GRID = {"grid.pgm", "grid.yaml", "semantic_grid.png"}
+GRID = {"grid.pgm", "grid.yaml", "semantic_grid.png", "semantic_grid.pgm", "semantic_grid.yaml"}
 SEMANTIC = {"semantic_map.ot", "semantic_map_colour.ot", "semantic_map.bt", "semantic_map.ply", "map_top.png",
             "overview.png"}
 OBJECTS = {"objects.json"}
