@@ -67,6 +67,7 @@ void ReplayStages::WriteSemanticGrid(const std::string& folder) {
     StageTimer::Scope scope(timer_, "grid.semantic_grid");
     cells = builder.Build(map, objects);
   }
+  if (cells.cost.empty()) return;  // nothing is known, not even an empty floor
   semantic_slam::WriteSemanticGrid(folder, cells, map, objects, *vocabulary_);
 }
 
