@@ -83,8 +83,8 @@ class RowReader {
   const float* depth_m_;
   const cv::Vec3b* colour_;
   int first_channel_;  // of red
-  std::array<const LabelId*, kTopLabels> labels_;
-  std::array<const std::uint8_t*, kTopLabels> confidences_;
+  std::array<const LabelId*, kTopLabels> labels_{};
+  std::array<const std::uint8_t*, kTopLabels> confidences_{};
 };
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace semantic_slam {
 // Thesis section 3.3.2: a point with its colour, and the three most probable labels of its pixel.
 struct SemanticPoint {
   Eigen::Vector3f position;            // [m], the cloud's frame
-  std::array<std::uint8_t, 3> rgb;
-  std::array<LabelId, kTopLabels> labels;          // by descending confidence
-  std::array<float, kTopLabels> confidences;       // 0..1; their sum is at most 1
+  std::array<std::uint8_t, 3> rgb{};
+  std::array<LabelId, kTopLabels> labels{};        // by descending confidence
+  std::array<float, kTopLabels> confidences{};     // 0..1; their sum is at most 1
 };
 
 // What one RGB-D image shows, in the colour camera's optical frame at `stamp`.

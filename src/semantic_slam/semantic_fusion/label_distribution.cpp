@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace semantic_slam {
 
@@ -46,7 +47,8 @@ CompactLabels::CompactLabels(const LabelDistribution& distribution) {
   const int observations = std::clamp(distribution.observations, 0, kMaxObservations);
   int left = kProbabilityOne;
   for (int i = 0; i < kTopLabels; ++i) {
-    const int rounded = static_cast<int>(distribution.probabilities[i] * kProbabilityOne + 0.5f);
+    const auto rounded =
+        static_cast<int>(std::lround(distribution.probabilities[i] * kProbabilityOne));
     assert(rounded >= 0);
     const int probability = std::min(rounded, left);
     left -= probability;

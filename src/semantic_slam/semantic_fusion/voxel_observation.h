@@ -15,10 +15,10 @@ namespace semantic_slam {
 // What some points of one image, all in one voxel, say together: the one observation that the voxel
 // gets from the image. A single point is one too.
 struct VoxelObservation {
-  Eigen::Vector3f position;         // of one of the points [m], in the camera's optical frame
-  std::array<std::uint8_t, 3> rgb;  // mean
-  CompactLabels labels;             // mean of the points' confidences
-  std::uint16_t points = 1;         // how many; stops at 65535
+  Eigen::Vector3f position;           // of one of the points [m], in the camera's optical frame
+  std::array<std::uint8_t, 3> rgb{};  // mean
+  CompactLabels labels;               // mean of the points' confidences
+  std::uint16_t points = 1;           // how many; stops at 65535
   // Of a thing that will not stay, a person: the camera sees up to it, but the map does not get it.
   bool is_transient = false;
 };
