@@ -20,7 +20,7 @@ packages=(
   # ROS tools that launch files and tests start
   python3-roslaunch python3-rosbag python3-rosnode python3-rosparam python3-rosservice
   python3-rostopic python3-rosmsg python3-rostest python3-rosunit python3-rospy
-  librostest-dev libnodeletlib-tools tf2-tools image-transport-tools topic-tools rosbash roslang
+  librostest-dev libtopic-tools-dev libnodeletlib-tools tf2-tools image-transport-tools topic-tools rosbash roslang
   python3-rosmaster rosout rviz python3-std-srvs
   python3-std-msgs python3-sensor-msgs python3-geometry-msgs python3-nav-msgs
   python3-visualization-msgs python3-diagnostic-msgs python3-rosgraph-msgs python3-tf2-msgs
