@@ -217,6 +217,23 @@ TEST_F(ObjectMapperTest, ObjectsFollowTheirKeyframes) {
   EXPECT_EQ(mapper_.Objects().objects.at(0).position_m, after.position_m);
 }
 
+TEST_F(ObjectMapperTest, AKeyframeThatNoGraphListsStaysWhereItWas) {
+  FeedTable(0, 4);
+  mapper_.FollowGraph(GraphOf(4, Rigid3d::Identity(), 1));
+  const MapObject before = mapper_.Objects().objects.at(0);
+  KeyframeGraph empty;
+  empty.revision = 2;
+  mapper_.FollowGraph(empty);
+  EXPECT_EQ(mapper_.Objects().objects.at(0).position_m, before.position_m);
+  Input input = MakeInput(scene_, 4, Along(3), {{table_, 1, kTable}});
+  for (int i = 4; i < 200; ++i) {  // more keyframes than need be remembered
+    input.tracks.stamp = input.image.stamp = input.tracked.stamp = At(i);
+    input.tracked.keyframe_id = i;
+    Feed(mapper_, input);
+  }
+  EXPECT_EQ(mapper_.Objects().objects.at(0).observations, 200);
+}
+
 TEST_F(ObjectMapperTest, DuplicatesThatComeTogetherBecomeOne) {
   FeedTable(0, 3, 1);
   // The camera has drifted by a metre when it sees the table again: two objects, until the loop

@@ -43,6 +43,13 @@ void LabelEvidence::Limit() {
   for (Weight& weight : weights_) weight.log_odds = std::max(0.0, weight.log_odds - excess);
 }
 
+LabelId LabelEvidence::Best() const {
+  const auto best =
+      std::max_element(weights_.begin(), weights_.end(),
+                       [](const Weight& a, const Weight& b) { return a.log_odds < b.log_odds; });
+  return best->label;
+}
+
 std::vector<LabelProbability> LabelEvidence::Probabilities() const {
   double sum = std::max(0, classes_ - static_cast<int>(weights_.size()));
   for (const Weight& weight : weights_) sum += std::exp(weight.log_odds);

@@ -26,7 +26,7 @@ class LabelEvidence {
   std::vector<LabelProbability> Probabilities() const;
 
   // The most probable class. Precondition: something was added.
-  LabelId Best() const { return Probabilities().front().label; }
+  LabelId Best() const;
 
  private:
   struct Weight {

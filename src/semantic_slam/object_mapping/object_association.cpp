@@ -84,6 +84,7 @@ std::vector<std::optional<std::size_t>> AssociateSightings(
 
 bool AreOne(const MappedObject& a, const MappedObject& b, const ObjectAssociationOptions& options) {
   const Overlap overlap = OverlapOf(a.shape(), b.shape());
+  if (overlap.of_smaller <= 0.0) return false;
   return a.label() == b.label() ? overlap.of_smaller >= options.merge_overlap
                                 : overlap.of_union >= options.other_class_overlap;
 }

@@ -14,6 +14,7 @@ namespace semantic_slam {
 namespace {
 
 constexpr double kJumpBackS = 1.0;
+constexpr std::size_t kMaxUnlistedPoses = 100;  // more, and it is worth looking which are in use
 
 std::vector<LabelId> ParseClasses(const std::string& names, const LabelVocabulary& vocabulary) {
   std::vector<LabelId> labels;
@@ -98,6 +99,7 @@ void ObjectMapper::Observe(const ObjectTracks& tracks, const RgbdImage& image,
   ForgetLinks(tracks);
   if (!sightings.empty()) MergeDuplicates();
   ForgetCandidates(image.stamp);
+  if (unlisted_poses_.size() > kMaxUnlistedPoses) ForgetUnusedPoses();
 }
 
 std::vector<Sighting> ObjectMapper::Look(const ObjectTracks& tracks, const RgbdImage& image,
@@ -182,11 +184,30 @@ void ObjectMapper::ForgetCandidates(Stamp now) {
   }
 }
 
+void ObjectMapper::ForgetUnusedPoses() {
+  std::map<KeyframeId, Rigid3d> used;
+  for (const MappedObject& object : objects_) {
+    for (const ObjectObservation& observation : object.observations()) {
+      const auto pose = unlisted_poses_.find(observation.keyframe_id);
+      if (pose != unlisted_poses_.end()) used.insert(*pose);
+    }
+  }
+  unlisted_poses_.swap(used);
+}
+
 void ObjectMapper::FollowGraph(const KeyframeGraph& graph) {
   if (map_id_ && graph.map_id < *map_id_) return;
   if (map_id_ == graph.map_id && graph.revision < poses_.revision()) return;
   BeginMap(graph.map_id);
-  poses_ = KeyframePoses(graph);
+  KeyframePoses listed(graph);
+  // What is not listed, as it should be, stays where it was.
+  for (const MappedObject& object : objects_) {
+    for (const ObjectObservation& observation : object.observations()) {
+      const KeyframeId id = observation.keyframe_id;
+      if (!listed.Find(id)) unlisted_poses_.try_emplace(id, KeyframePose(id));
+    }
+  }
+  poses_ = std::move(listed);
   for (auto pose = unlisted_poses_.begin(); pose != unlisted_poses_.end();) {
     pose = poses_.Find(pose->first) ? unlisted_poses_.erase(pose) : std::next(pose);
   }

@@ -106,6 +106,7 @@ class ObjectMapper {
   void ForgetLinks(const ObjectTracks& tracks);
   void MergeDuplicates();
   void ForgetCandidates(Stamp now);
+  void ForgetUnusedPoses();
   ObservationLimits Limits() const;
 
   const ObjectMappingOptions options_;
@@ -116,7 +117,7 @@ class ObjectMapper {
   TrackLinks links_;
   std::optional<int> map_id_;
   KeyframePoses poses_;
-  std::map<KeyframeId, Rigid3d> unlisted_poses_;  // T_map_keyframe until a graph lists the keyframe
+  std::map<KeyframeId, Rigid3d> unlisted_poses_;  // T_map_keyframe where no graph lists it
   std::optional<Stamp> stamp_;
 };
 

@@ -78,7 +78,7 @@ class Extraction {
     grid_ = GridFor(inner_.area(), options_.max_points);
     points_ = Read(inner_, grid_, cv::Rect());
     if (IsTooFew(points_.size())) return std::nullopt;
-    RemoveBackgroundPlanes(box);
+    RemoveBackgroundPlanes();
     RemoveFarBehind();
     if (IsTooFew(points_.size()) || !KeepLargestCluster() || !SpansBox()) return std::nullopt;
     return ObjectPoints{std::move(points_), std::move(others_), IsComplete(box)};
@@ -128,8 +128,8 @@ class Extraction {
     return std::abs(plane.SignedDistance(p.cast<double>())) <= Tolerance(p.z());
   }
 
-  void RemoveBackgroundPlanes(const cv::Rect2f& box) {
-    const cv::Rect outer = PixelsIn(Grown(box, options_.surround_share), image_.depth_m.size());
+  void RemoveBackgroundPlanes() {
+    const cv::Rect outer = PixelsIn(Grown(inner_, options_.surround_share), image_.depth_m.size());
     const int pixels = outer.area() - inner_.area();
     Points surroundings = Read(outer, GridFor(pixels, kMaxSurroundPoints), inner_);
     if (surroundings.size() < kMinSurroundPoints) return;

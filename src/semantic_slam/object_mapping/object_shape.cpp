@@ -182,10 +182,11 @@ std::optional<ObjectShape> FuseObservations(const std::vector<ObjectObservation>
 }
 
 Overlap OverlapOf(const ObjectShape& a, const ObjectShape& b) {
+  const double reach = 0.5 * (a.box.size.norm() + b.box.size.norm()) + 4.0 * kMaxMarginM;
+  if ((a.box.centre - b.box.centre).squaredNorm() > reach * reach) return {};
   const UprightBox box_a(a), box_b(b);
   const double height = std::min(box_a.high, box_b.high) - std::max(box_a.low, box_b.low);
-  const double reach = 0.5 * (a.box.size.norm() + b.box.size.norm()) + 4.0 * kMaxMarginM;
-  if (height <= 0.0 || (a.box.centre - b.box.centre).norm() > reach) return {};
+  if (height <= 0.0) return {};
   const double common = height * Area(Intersection(box_a.base, box_b.base));
   const double volume_a = box_a.Volume(), volume_b = box_b.Volume();
   return {common / (volume_a + volume_b - common), common / std::min(volume_a, volume_b)};
