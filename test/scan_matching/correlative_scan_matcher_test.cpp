@@ -1,5 +1,8 @@
 #include "semantic_slam/scan_matching/correlative_scan_matcher.h"
 
+#include <cmath>
+#include <tuple>
+
 #include <gtest/gtest.h>
 
 #include "matching_fixture.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "semantic_slam/scan_matching/scan_inserter.h"
 #include "testing/planar_world.h"
 

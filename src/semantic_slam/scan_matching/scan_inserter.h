@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <cmath>
 
 #include "semantic_slam/common/options.h"
 #include "semantic_slam/common/rigid2d.h"
