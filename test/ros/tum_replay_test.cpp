@@ -73,7 +73,7 @@ class Launch {
 // Every topic in a table "Published topics" of docs/ros_api.md, absolute.
 std::set<std::string> DocumentedTopics() {
   std::ifstream file(SEMANTIC_SLAM_SOURCE_DIR "/docs/ros_api.md");
-  const std::regex row("^\\| `/?([a-z_/]+)` \\|.*");
+  const std::regex row("^\\| `/?([a-z_/]+)` \\| [a-z0-9_]+/[A-Z].*");  // name and type
   std::set<std::string> topics;
   bool in_table = false;
   for (std::string line; std::getline(file, line);) {
