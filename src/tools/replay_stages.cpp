@@ -2,15 +2,16 @@
 
 #include <utility>
 
+#include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/semantic_grid/semantic_grid_file.h"
 
 namespace semantic_slam {
 
 void ReadReplayOptions(YamlReader& file, ReplayOptions& options) {
-  ReadLocalizationOptions(file, options.localization);
+  ReadOptionGroups(file, options.localization);
   ReadSemanticStageOptions(file, options.semantic);
   ReadObjectStageOptions(file, options.objects);
-  ReadGridSlamOptions(file, options.grid_slam);
+  ReadOptionGroups(file, options.grid_slam);
   file.ReadOptions("semantic_grid", options.semantic_grid);
   file.ReadOptions("semantic_costs", options.semantic_costs);
 }

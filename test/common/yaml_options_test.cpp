@@ -23,6 +23,17 @@ struct DemoOptions {
   }
 };
 
+struct Branch {
+  DemoOptions near;
+  DemoOptions far;
+
+  template <typename Self, typename Visitor>
+  static void VisitGroups(Self& self, Visitor&& visit_group) {
+    visit_group("near", self.near);
+    visit_group("far", self.far);
+  }
+};
+
 class YamlOptionsTest : public testing::Test {
  protected:
   DemoOptions Read(const std::string& yaml) {
@@ -113,6 +124,18 @@ TEST_F(YamlOptionsTest, NamesAMissingKey) {
   YamlReader reader(YAML::Load("{}"), "demo.yaml", "camera");
   EXPECT_EQ(MessageOf<ConfigError>([&] { reader.Require<int>("width_px"); }),
             "demo.yaml: missing key camera/width_px");
+}
+
+TEST(ReadOptionGroupsTest, FillsEveryGroupAndRefusesOthers) {
+  Branch branch;
+  YamlReader file(YAML::Load("branch: {near: {stride_px: 3}}\n"), "demo.yaml");
+  ReadOptionGroups(file, "branch", branch);
+  EXPECT_EQ(branch.near.stride_px, 3);
+  EXPECT_EQ(branch.far.stride_px, DemoOptions().stride_px);  // the file says nothing of it
+
+  YamlReader wrong(YAML::Load("branch: {middle: {stride_px: 3}}\n"), "demo.yaml");
+  ExpectOneLineWith(MessageOf<ConfigError>([&] { ReadOptionGroups(wrong, "branch", branch); }),
+                    {"demo.yaml:1: unknown key branch/middle", "far, near"});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/yaml_options.h"
 #include "testing/expect_error.h"
 #include "testing/small_sequence.h"
 #include "testing/temporary_folder.h"
@@ -281,7 +282,7 @@ TEST(LocalizationOptionsTest, AreReadByGroup) {
       folder.Write("options.yaml", "features: {max_features: 700}\ntracking: {min_inliers: 21}\n");
   YamlReader file(LoadYamlMap(path), path);
   LocalizationOptions options;
-  ReadLocalizationOptions(file, options);
+  ReadOptionGroups(file, options);
   EXPECT_EQ(options.features.max_features, 700);
   EXPECT_EQ(options.tracking.min_inliers, 21);
   EXPECT_EQ(options.local_mapping.window_keyframes, LocalMapperOptions().window_keyframes);
@@ -293,7 +294,7 @@ TEST(LocalizationOptionsTest, AMisspeltOneIsRefusedByName) {
   const std::string path = folder.Write("options.yaml", "tracking:\n  min_inlier: 21\n");
   YamlReader file(LoadYamlMap(path), path);
   LocalizationOptions options;
-  ExpectOneLineWith(MessageOf<ConfigError>([&] { ReadLocalizationOptions(file, options); }),
+  ExpectOneLineWith(MessageOf<ConfigError>([&] { ReadOptionGroups(file, options); }),
                     {"options.yaml:2", "tracking/min_inlier"});
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/yaml_options.h"
 #include "testing/expect_error.h"
 
 namespace semantic_slam {
@@ -11,7 +12,7 @@ namespace {
 GridSlamOptions Read(const std::string& yaml) {
   YamlReader file(YAML::Load(yaml), "camera.yaml");
   GridSlamOptions options;
-  ReadGridSlamOptions(file, options);
+  ReadOptionGroups(file, options);
   file.Finish();
   return options;
 }

@@ -17,11 +17,6 @@ constexpr std::size_t kMaxPendingKeyframes = 2;
 
 }  // namespace
 
-void ReadLocalizationOptions(YamlReader& file, LocalizationOptions& options) {
-  LocalizationOptions::VisitGroups(
-      options, [&](const char* name, auto& group) { file.ReadOptions(name, group); });
-}
-
 class VisualLocalization::Implementation {
  public:
   Implementation(const LocalizationOptions& options, std::shared_ptr<const CameraModel> camera,

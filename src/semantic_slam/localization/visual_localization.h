@@ -10,7 +10,6 @@
 #include "semantic_slam/camera/rgbd_image.h"
 #include "semantic_slam/common/duration_histogram.h"
 #include "semantic_slam/common/keyframe_graph.h"
-#include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/features/orb_extractor.h"
 #include "semantic_slam/local_mapping/local_mapper.h"
 #include "semantic_slam/map/map.h"
@@ -32,9 +31,6 @@ struct LocalizationOptions {
     visit_group("local_mapping", self.local_mapping);
   }
 };
-
-// Reads the groups above from a configuration file; defaults stay where it says nothing.
-void ReadLocalizationOptions(YamlReader& file, LocalizationOptions& options);
 
 enum class MappingMode {
   kInline,    // Track() returns after local mapping has finished: the same bytes on every run

@@ -40,11 +40,6 @@ int ClassCount(const LabelVocabulary& vocabulary) {
 
 }  // namespace
 
-void ReadSemanticMapperOptions(YamlReader& file, SemanticMapperOptions& options) {
-  SemanticMapperOptions::VisitGroups(
-      options, [&](const char* name, auto& group) { file.ReadOptions(name, group); });
-}
-
 SemanticMapper::SemanticMapper(const SemanticMapperOptions& options,
                                std::shared_ptr<const LabelVocabulary> vocabulary)
     : options_(options),

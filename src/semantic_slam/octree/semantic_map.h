@@ -9,7 +9,7 @@
 #include "semantic_slam/common/keyframe_graph.h"
 #include "semantic_slam/common/keyframe_poses.h"
 #include "semantic_slam/common/label_vocabulary.h"
-#include "semantic_slam/common/yaml_options.h"
+#include "semantic_slam/common/options.h"
 #include "semantic_slam/octree/anchored_clouds.h"
 #include "semantic_slam/octree/octree_inserter.h"
 #include "semantic_slam/octree/semantic_octree.h"
@@ -52,9 +52,6 @@ struct SemanticMapperOptions {
     visit_group("fusion", self.fusion);
   }
 };
-
-// Reads the groups above from a configuration file; defaults stay where it says nothing.
-void ReadSemanticMapperOptions(YamlReader& file, SemanticMapperOptions& options);
 
 // Thesis sections 3.3.3 and 3.3.4: the semantic octree of one map, made of clouds that are anchored
 // to keyframes, so that it follows every correction of the camera's path. Deterministic. Not

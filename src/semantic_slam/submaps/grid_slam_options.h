@@ -1,7 +1,6 @@
 #pragma once
 
 #include "semantic_slam/common/options.h"
-#include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/scan/scan_builder.h"
 #include "semantic_slam/scan_matching/scan_inserter.h"
 #include "semantic_slam/scan_matching/scan_matcher.h"
@@ -53,8 +52,5 @@ struct GridSlamOptions {
     visit_group("grid_mapper", self.grid_mapper);
   }
 };
-
-// Reads the groups above from a configuration file; defaults stay where it says nothing.
-void ReadGridSlamOptions(YamlReader& file, GridSlamOptions& options);
 
 }  // namespace semantic_slam
