@@ -7,6 +7,9 @@ function(semantic_slam_compile_options target)
     target_compile_options(${target} PRIVATE -fsanitize=${SEMANTIC_SLAM_SANITIZER} -g
                            -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${SEMANTIC_SLAM_SANITIZER})
+    # Under it Eigen allocates in a way of its own, and PCL's libraries, which know nothing of it, would
+    # free what it did not allocate.
+    target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
 endfunction()
 
