@@ -1,7 +1,9 @@
 #include "tools/replay_stages.h"
 
+#include <filesystem>
 #include <utility>
 
+#include "semantic_slam/common/error.h"
 #include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/semantic_grid/semantic_grid_file.h"
 
@@ -28,6 +30,9 @@ ReplayStages::ReplayStages(const StageSelection& selection, const ReplayOptions&
                            const std::shared_ptr<const CameraModel>& camera, WhenFull when_full)
     : options_(options) {
   if (!selection.semantic && !selection.objects && !selection.grid) return;
+  if (!std::filesystem::exists(selection.labels)) {
+    throw ConfigError("no vocabulary at " + selection.labels + "; --labels says where it is");
+  }
   vocabulary_ = std::make_shared<const LabelVocabulary>(LabelVocabulary::Load(selection.labels));
   if (selection.semantic) {
     Start<SemanticStage>(selection.semantic_period_s, when_full, options.semantic,
