@@ -77,6 +77,21 @@ TEST_F(RgbdInputTest, HandsOutAtTheEndWhatWaits) {
   EXPECT_NO_THROW(pairs_[1].Decode());
 }
 
+// What nodelets of one manager gain: publisher and subscriber in one process share the message, and the
+// core works on its pixels.
+TEST_F(RgbdInputTest, WithinOneProcessImagesAreNeverCopied) {
+  const auto colour = Blank(CV_8UC3, "bgr8", 0);
+  const auto depth = Blank(CV_32FC1, "32FC1", 1);
+  colour_pub_.publish(colour);
+  depth_pub_.publish(depth);
+  SendColour(33);
+  SendDepth(34);
+  ASSERT_TRUE(SpinUntil([&] { return !pairs_.empty(); }, kLimitS));
+  const semantic_slam::RgbdImage image = pairs_[0].Decode();
+  EXPECT_EQ(image.colour.data, colour->data.data());
+  EXPECT_EQ(image.depth_m.data, depth->data.data());
+}
+
 TEST_F(RgbdInputTest, CountsAtTheEndWhatHasNoPartner) {
   SendColour(0);
   SendColour(0);
