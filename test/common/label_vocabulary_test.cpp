@@ -46,7 +46,7 @@ TEST(LabelVocabularyTest, ReadsEveryKeyAndSortsById) {
 }
 
 TEST(LabelVocabularyTest, DefaultsAreAFixedSolidObstacle) {
-  const LabelClass& unknown = Read(kTwoLabels).classes()[0];
+  const LabelClass unknown = Read(kTwoLabels).classes()[0];
   EXPECT_FALSE(unknown.movable || unknown.hollow);
   EXPECT_EQ(unknown.cost, 254);
 }
