@@ -21,7 +21,6 @@ using semantic_slam::InputError;
 using semantic_slam::KeyframeGraph;
 using semantic_slam::ObjectMap;
 using semantic_slam::TrackedImage;
-using semantic_slam::WhenFull;
 
 namespace {
 
@@ -74,11 +73,17 @@ ObjectMappingNode::ObjectMappingNode(ros::NodeHandle nh, ros::NodeHandle private
               [this](NodeHealth::Status& status) { Diagnose(status); }),
       saver_(private_nh, topics::kSaveMap, options_.output_directory,
              [this](const std::string& folder) { return Save(folder); }),
-      worker_(std::make_unique<semantic_slam::Worker<Wake>>(1, WhenFull::kDropOldest,
-                                                            [this](Wake) { Work(); })),
+      worker_(std::make_unique<MapWorker<PoseJoiner::Joined>>(
+          options_.queue_size, drops_,
+          MapWorker<PoseJoiner::Joined>::Handlers{
+              [this](const KeyframeGraph& graph) { FollowGraph(graph); },
+              [this](const PoseJoiner::Joined& image) { Observe(image); },
+              [this] {
+                if (changed_.exchange(false)) Publish();
+              }})),
       graph_input_(std::make_unique<GraphInput>(
           nh, drops_, [this](const TrackedImage& image) { OnTracked(image); },
-          [this](KeyframeGraph graph) { OnGraph(std::move(graph)); })),
+          [this](KeyframeGraph graph) { worker_->Follow(std::move(graph)); })),
       input_(std::make_unique<RgbdInput>(
           nh, parameters.input, parameters.pairer, drops_,
           [this](RgbdMessages messages) { OnImages(std::move(messages)); })) {
@@ -86,10 +91,7 @@ ObjectMappingNode::ObjectMappingNode(ros::NodeHandle nh, ros::NodeHandle private
       nh.subscribe(topics::kTrackedObjects, kTopicQueueSize, &ObjectMappingNode::OnTracks, this);
   // By the wall's clock: the map must reach who looks at it also while a simulated one stands.
   publish_timer_ = nh.createWallTimer(ros::WallDuration(options_.publish_period_s),
-                                      [this](const ros::WallTimerEvent&) {
-                                        publish_is_due_ = true;
-                                        worker_->Push({});
-                                      });
+                                      [this](const ros::WallTimerEvent&) { worker_->Publish(); });
   reset_service_ = private_nh.advertiseService(topics::kReset, &ObjectMappingNode::OnReset, this);
   pause_service_ = private_nh.advertiseService(topics::kPause, &ObjectMappingNode::OnPause, this);
   query_service_ = private_nh.advertiseService(topics::kQuery, &ObjectMappingNode::OnQuery, this);
@@ -120,46 +122,11 @@ void ObjectMappingNode::Join(std::optional<ImageJoiner::Joined> joined) {
   counted_unjoined_ = unjoined;
   if (!joined) return;
   const semantic_slam::Stamp stamp = joined->source.stamp;
-  Enqueue(pose_joiner_.AddPayload(stamp, std::move(*joined)));
+  worker_->Add(pose_joiner_.AddPayload(stamp, std::move(*joined)));
 }
 
 void ObjectMappingNode::OnTracked(const TrackedImage& image) {
-  Enqueue(pose_joiner_.AddTracked(image));
-}
-
-void ObjectMappingNode::OnGraph(KeyframeGraph graph) {
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    newest_graph_ = std::move(graph);
-  }
-  worker_->Push({});
-}
-
-void ObjectMappingNode::Enqueue(std::vector<PoseJoiner::Joined> joined) {
-  if (joined.empty()) return;
-  std::size_t late = 0;
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    for (PoseJoiner::Joined& each : joined) waiting_.push_back(std::move(each));
-    for (; waiting_.size() > static_cast<std::size_t>(options_.queue_size); ++late) {
-      waiting_.pop_front();
-    }
-  }
-  if (late > 0) drops_.AddQuietly("late", late);
-  worker_->Push({});
-}
-
-void ObjectMappingNode::Work() {
-  std::deque<PoseJoiner::Joined> images;
-  std::optional<KeyframeGraph> graph;
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    images.swap(waiting_);
-    graph.swap(newest_graph_);
-  }
-  if (graph) FollowGraph(*graph);
-  for (const PoseJoiner::Joined& image : images) Observe(image);
-  if (publish_is_due_.exchange(false) && changed_.exchange(false)) Publish();
+  worker_->Add(pose_joiner_.AddTracked(image));
 }
 
 void ObjectMappingNode::FollowGraph(const KeyframeGraph& graph) {
@@ -212,10 +179,7 @@ ObjectMap ObjectMappingNode::Objects() const {
 
 bool ObjectMappingNode::OnReset(std_srvs::Trigger::Request&,
                                 std_srvs::Trigger::Response& response) {
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    waiting_.clear();
-  }
+  worker_->Clear();
   {
     std::lock_guard<std::mutex> lock(map_mutex_);
     mapper_.Reset();

@@ -3,12 +3,10 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <ros/node_handle.h>
 #include <semantic_slam/Query.h>
@@ -19,13 +17,13 @@
 #include "semantic_slam/camera/camera_model.h"
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/common/stamp_joiner.h"
-#include "semantic_slam/common/worker.h"
 #include "semantic_slam/object_mapping/object_mapper.h"
 #include "semantic_slam_ros/counted_joiner.h"
 #include "semantic_slam_ros/drop_counter.h"
 #include "semantic_slam_ros/graph_input.h"
 #include "semantic_slam_ros/label_parameter.h"
 #include "semantic_slam_ros/map_saver.h"
+#include "semantic_slam_ros/map_worker.h"
 #include "semantic_slam_ros/node_health.h"
 #include "semantic_slam_ros/object_markers.h"
 #include "semantic_slam_ros/rgbd_input.h"
@@ -84,7 +82,6 @@ class ObjectMappingNode {
   using ImageJoiner =
       semantic_slam::StampJoiner<RgbdMessages, semantic_slam::TrackedObjectArrayConstPtr>;
   using PoseJoiner = CountedJoiner<ImageJoiner::Joined>;
-  struct Wake {};  // there may be something to do
 
   ObjectMappingNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
                     const ObjectMappingNodeParameters& parameters);
@@ -92,15 +89,12 @@ class ObjectMappingNode {
   void OnImages(RgbdMessages messages);
   void OnTracks(const semantic_slam::TrackedObjectArrayConstPtr& msg);
   void OnTracked(const semantic_slam::TrackedImage& image);
-  void OnGraph(semantic_slam::KeyframeGraph graph);
   bool OnReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool OnQuery(semantic_slam::Query::Request& request, semantic_slam::Query::Response& response);
   void Join(std::optional<ImageJoiner::Joined> joined);
-  void Enqueue(std::vector<PoseJoiner::Joined> joined);
 
   // On the worker's thread.
-  void Work();
   void FollowGraph(const semantic_slam::KeyframeGraph& graph);
   void Observe(const PoseJoiner::Joined& joined);
   void Publish();
@@ -120,14 +114,9 @@ class ObjectMappingNode {
   PoseJoiner pose_joiner_;
   bool paused_ = false;
 
-  std::mutex waiting_mutex_;
-  std::deque<PoseJoiner::Joined> waiting_;                    // guarded by waiting_mutex_
-  std::optional<semantic_slam::KeyframeGraph> newest_graph_;  // guarded by waiting_mutex_
-
   mutable std::mutex map_mutex_;
   semantic_slam::ObjectMapper mapper_;  // guarded by map_mutex_
   std::atomic<bool> changed_{true};     // since the map was published last
-  std::atomic<bool> publish_is_due_{false};
 
   // For the worker's thread.
   std::shared_ptr<const semantic_slam::CameraIntrinsics> intrinsics_;
@@ -138,7 +127,7 @@ class ObjectMappingNode {
 
   NodeHealth health_;
   MapSaver saver_;
-  std::unique_ptr<semantic_slam::Worker<Wake>> worker_;
+  std::unique_ptr<MapWorker<PoseJoiner::Joined>> worker_;
   std::unique_ptr<GraphInput> graph_input_;  // after the worker that it wakes, as what follows
   std::unique_ptr<RgbdInput> input_;
   ros::Subscriber tracks_sub_;

@@ -20,7 +20,6 @@ using semantic_slam::InputError;
 using semantic_slam::KeyframeGraph;
 using semantic_slam::SemanticMapper;
 using semantic_slam::TrackedImage;
-using semantic_slam::WhenFull;
 
 namespace {
 
@@ -44,18 +43,18 @@ OctomapNode::OctomapNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
               [this](NodeHealth::Status& status) { Diagnose(status); }),
       saver_(private_nh, topics::kSaveMap, options_.output_directory,
              [this](const std::string& folder) { return Save(folder); }),
-      worker_(std::make_unique<semantic_slam::Worker<Wake>>(1, WhenFull::kDropOldest,
-                                                            [this](Wake) { Work(); })),
+      worker_(std::make_unique<MapWorker<Joiner::Joined>>(
+          options_.queue_size, drops_,
+          MapWorker<Joiner::Joined>::Handlers{
+              [this](const KeyframeGraph& graph) { FollowGraph(graph); },
+              [this](const Joiner::Joined& cloud) { Insert(cloud); }, [this] { Publish(); }})),
       graph_input_(std::make_unique<GraphInput>(
           nh, drops_, [this](const TrackedImage& image) { OnTracked(image); },
-          [this](KeyframeGraph graph) { OnGraph(std::move(graph)); })) {
+          [this](KeyframeGraph graph) { worker_->Follow(std::move(graph)); })) {
   cloud_sub_ = nh.subscribe(topics::kSemanticCloud, kCloudQueueSize, &OctomapNode::OnCloud, this);
   // By the wall's clock: the map must reach who looks at it also while a simulated one stands.
   publish_timer_ = nh.createWallTimer(ros::WallDuration(parameters.publisher.publish_period_s),
-                                      [this](const ros::WallTimerEvent&) {
-                                        publish_is_due_ = true;
-                                        worker_->Push({});
-                                      });
+                                      [this](const ros::WallTimerEvent&) { worker_->Publish(); });
   reset_service_ = private_nh.advertiseService(topics::kReset, &OctomapNode::OnReset, this);
   pause_service_ = private_nh.advertiseService(topics::kPause, &OctomapNode::OnPause, this);
 }
@@ -70,45 +69,12 @@ OctomapNode::~OctomapNode() {
 
 void OctomapNode::OnCloud(const sensor_msgs::PointCloud2ConstPtr& msg) {
   if (paused_ || !HasStamp(msg->header, "semantic cloud", drops_)) return;
-  Enqueue(joiner_.AddPayload(ToStamp(msg->header.stamp), {msg, std::chrono::steady_clock::now()}));
+  worker_->Add(
+      joiner_.AddPayload(ToStamp(msg->header.stamp), {msg, std::chrono::steady_clock::now()}));
 }
 
 void OctomapNode::OnTracked(const TrackedImage& image) {
-  Enqueue(joiner_.AddTracked(image));
-}
-
-void OctomapNode::OnGraph(KeyframeGraph graph) {
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    newest_graph_ = std::move(graph);
-  }
-  worker_->Push({});
-}
-
-void OctomapNode::Enqueue(std::vector<Joiner::Joined> joined) {
-  if (joined.empty()) return;
-  std::size_t late = 0;
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    for (Joiner::Joined& each : joined) waiting_.push_back(std::move(each));
-    for (; waiting_.size() > static_cast<std::size_t>(options_.queue_size); ++late)
-      waiting_.pop_front();
-  }
-  if (late > 0) drops_.AddQuietly("late", late);
-  worker_->Push({});
-}
-
-void OctomapNode::Work() {
-  std::deque<Joiner::Joined> clouds;
-  std::optional<KeyframeGraph> graph;
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    clouds.swap(waiting_);
-    graph.swap(newest_graph_);
-  }
-  if (graph) FollowGraph(*graph);
-  for (const Joiner::Joined& cloud : clouds) Insert(cloud);
-  if (publish_is_due_.exchange(false)) Publish();
+  worker_->Add(joiner_.AddTracked(image));
 }
 
 void OctomapNode::FollowGraph(const KeyframeGraph& graph) {
@@ -153,10 +119,7 @@ void OctomapNode::Publish() {
 }
 
 bool OctomapNode::OnReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  {
-    std::lock_guard<std::mutex> lock(waiting_mutex_);
-    waiting_.clear();
-  }
+  worker_->Clear();
   std::lock_guard<std::mutex> lock(map_mutex_);
   mapper_.Reset();
   response.success = true;

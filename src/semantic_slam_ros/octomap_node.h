@@ -1,13 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
-#include <deque>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include <ros/node_handle.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -15,13 +11,13 @@
 #include <std_srvs/Trigger.h>
 
 #include "semantic_slam/common/label_vocabulary.h"
-#include "semantic_slam/common/worker.h"
 #include "semantic_slam/octree/semantic_map.h"
 #include "semantic_slam_ros/counted_joiner.h"
 #include "semantic_slam_ros/drop_counter.h"
 #include "semantic_slam_ros/graph_input.h"
 #include "semantic_slam_ros/label_parameter.h"
 #include "semantic_slam_ros/map_saver.h"
+#include "semantic_slam_ros/map_worker.h"
 #include "semantic_slam_ros/node_health.h"
 #include "semantic_slam_ros/octomap_publisher.h"
 
@@ -72,21 +68,17 @@ class OctomapNode {
     std::chrono::steady_clock::time_point received;
   };
   using Joiner = CountedJoiner<Cloud>;
-  struct Wake {};  // there may be something to do
 
   OctomapNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
               const OctomapNodeParameters& parameters);
 
   void OnCloud(const sensor_msgs::PointCloud2ConstPtr& msg);
   void OnTracked(const semantic_slam::TrackedImage& image);
-  void OnGraph(semantic_slam::KeyframeGraph graph);
   bool OnReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
-  void Enqueue(std::vector<Joiner::Joined> joined);
 
   // On the worker's thread.
-  void Work();
   void FollowGraph(const semantic_slam::KeyframeGraph& graph);
   void Insert(const Joiner::Joined& joined);
   void Publish();
@@ -100,18 +92,13 @@ class OctomapNode {
   Joiner joiner_;        // for the spinning thread
   bool paused_ = false;  // for the spinning thread
 
-  std::mutex waiting_mutex_;
-  std::deque<Joiner::Joined> waiting_;                        // guarded by waiting_mutex_
-  std::optional<semantic_slam::KeyframeGraph> newest_graph_;  // guarded by waiting_mutex_
-
   std::mutex map_mutex_;
   semantic_slam::SemanticMapper mapper_;  // guarded by map_mutex_
   OctomapPublisher publisher_;            // for the worker's thread
-  std::atomic<bool> publish_is_due_{false};
 
   NodeHealth health_;
   MapSaver saver_;
-  std::unique_ptr<semantic_slam::Worker<Wake>> worker_;
+  std::unique_ptr<MapWorker<Joiner::Joined>> worker_;
   std::unique_ptr<GraphInput> graph_input_;  // after the worker that it wakes, as what follows
   ros::Subscriber cloud_sub_;
   ros::WallTimer publish_timer_;

@@ -35,8 +35,9 @@ class MappingStage {
   virtual Counts counts() const = 0;
 };
 
-// Runs a stage on a thread of its own, on tracked images that are at least period_s apart. With kBlock nothing is left out, and the stage sees the same images and graphs in the same order
-// on every run; with kDropOldest the newest image pushes a waiting one out, and that is counted.
+// Runs a stage on a thread of its own, on tracked images that are at least period_s apart. With kBlock
+// nothing is left out, and the stage sees the same images and graphs in the same order on every run;
+// with kDropOldest the newest image pushes a waiting one out, and that is counted.
 class StageRunner {
  public:
   StageRunner(std::unique_ptr<MappingStage> stage, double period_s, WhenFull when_full);
