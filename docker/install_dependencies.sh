@@ -26,7 +26,7 @@ packages=(
   python3-visualization-msgs python3-diagnostic-msgs python3-rosgraph-msgs python3-tf2-msgs
   python3-numpy python3-nodelet python3-dynamic-reconfigure
   # libraries
-  libceres-dev libeigen3-dev liboctomap-dev libssl-dev libopencv-dev libpcl-dev libyaml-cpp-dev nlohmann-json3-dev
+  libceres-dev libeigen3-dev libembree-dev liboctomap-dev libssl-dev libopencv-dev libpcl-dev libyaml-cpp-dev nlohmann-json3-dev
   libboost-all-dev libgtest-dev libgmock-dev libbenchmark-dev
   # pictures: rviz without a display, and a look at it
   xvfb xauth libgl1-mesa-dri scrot x11-utils
