@@ -32,6 +32,7 @@ struct Surface {
 };
 
 // A closed walk over the floor: straight on between corners, turning on the spot, over and over.
+// Immutable, so safe from any thread.
 class Walk {
  public:
   // Throws ConfigError if there are fewer than two corners, two successive ones coincide, or a
@@ -45,9 +46,21 @@ class Walk {
   double Distance(double time_s) const;
 
  private:
+  struct Place {
+    Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
+    double heading_rad = 0.0;
+    double distance_m = 0.0;
+  };
+
+  Eigen::Vector2d Leg(std::size_t i) const;  // from corner i to the next
+  double TurnAfter(std::size_t i) const;     // [rad], at the end of leg i
+  Place PlaceAt(double time_s) const;
+
   std::vector<Eigen::Vector2d> corners_m_;
   double speed_mps_;
   double turn_rate_radps_;
+  double round_s_ = 0.0;
+  double round_m_ = 0.0;
 };
 
 using InstanceId = std::uint16_t;
