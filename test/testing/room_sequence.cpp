@@ -1,18 +1,11 @@
 #include "testing/room_sequence.h"
 
 #include <cmath>
-#include <filesystem>
-#include <iomanip>
 
-#include <opencv2/imgcodecs.hpp>
-
-#include "semantic_slam/common/atomic_file.h"
-#include "semantic_slam/common/error.h"
+#include "semantic_slam/dataset/tum_folder_writer.h"
 #include "testing/handheld_path.h"
 
 namespace semantic_slam {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -65,44 +58,6 @@ class RoomSequence : public RgbdSource {
   std::vector<AccelerometerReading> accelerometer_;
 };
 
-void WriteImage(const std::string& path, const cv::Mat& image) {
-  const std::vector<int> flags{cv::IMWRITE_JPEG_QUALITY, 95, cv::IMWRITE_PNG_COMPRESSION, 1};
-  if (!cv::imwrite(path, image, flags)) throw InputError("cannot write " + path);
-}
-
-cv::Mat ToDepthPng(const cv::Mat& depth_m, double factor) {
-  cv::Mat finite = depth_m.clone();
-  finite.setTo(0.0f, depth_m != depth_m);  // NaN
-  cv::Mat png;
-  finite.convertTo(png, CV_16UC1, factor);
-  return png;
-}
-
-void WriteCamera(const std::string& path, const CameraIntrinsics& c, const CameraConfig& config) {
-  WriteFileAtomically(path, [&](std::ostream& out) {
-    out << std::setprecision(10) << "camera:\n  width_px: " << c.width_px
-        << "\n  height_px: " << c.height_px << "\n  fx_px: " << c.fx_px << "\n  fy_px: " << c.fy_px
-        << "\n  cx_px: " << c.cx_px << "\n  cy_px: " << c.cy_px << "\n  distortion: [";
-    for (std::size_t i = 0; i < c.distortion.size(); ++i) {
-      out << (i == 0 ? "" : ", ") << c.distortion[i];
-    }
-    out << "]\nimu:\n  R_camera_imu: [";
-    for (int i = 0; i < 9; ++i) out << (i == 0 ? "" : ", ") << config.R_camera_imu(i / 3, i % 3);
-    out << "]\ndataset:\n  depth_png_factor: " << config.depth_png_factor << "\n";
-  });
-}
-
-void WriteAccelerometer(const std::string& path,
-                        const std::vector<AccelerometerReading>& readings) {
-  WriteFileAtomically(path, [&](std::ostream& out) {
-    out << "# timestamp ax ay az\n" << std::fixed << std::setprecision(6);
-    for (const AccelerometerReading& reading : readings) {
-      out << ToString(reading.stamp) << " " << reading.acceleration_imu.x() << " "
-          << reading.acceleration_imu.y() << " " << reading.acceleration_imu.z() << "\n";
-    }
-  });
-}
-
 }  // namespace
 
 std::unique_ptr<RgbdSource> MakeRoomSequence(double seconds, const TexturedRoomOptions& options) {
@@ -121,28 +76,16 @@ void WriteRoomSequence(const std::string& folder, double seconds,
                        const TexturedRoomOptions& options,
                        const std::function<void(std::size_t, std::size_t)>& on_image) {
   RoomSequence sequence(seconds, options);
-  const CameraConfig config = Freiburg1Camera();
-  const fs::path root(folder);
-  std::error_code error;
-  fs::create_directories(root / "rgb", error);
-  fs::create_directories(root / "depth", error);
-  if (error) throw InputError("cannot make the folder " + folder + ": " + error.message());
-  std::string colour_list = "# timestamp filename\n", depth_list = colour_list;
+  CameraConfig config = Freiburg1Camera();
+  config.intrinsics = options.intrinsics;
+  TumFolderWriter writer(folder, config);
   for (std::size_t done = 1; const auto image = sequence.Next(); ++done) {
-    const std::string colour = "rgb/" + ToString(image->stamp) + ".jpg";
-    const std::string depth = "depth/" + ToString(image->depth_stamp) + ".png";
-    WriteImage((root / colour).string(), image->colour);
-    WriteImage((root / depth).string(), ToDepthPng(image->depth_m, config.depth_png_factor));
-    colour_list += ToString(image->stamp) + " " + colour + "\n";
-    depth_list += ToString(image->depth_stamp) + " " + depth + "\n";
+    writer.Add(*image);
     if (on_image) on_image(done, sequence.size());
   }
-  WriteCamera((root / "camera.yaml").string(), options.intrinsics, config);
-  WriteTumTrajectory(RoomSequencePoses(seconds), (root / "groundtruth.txt").string());
-  WriteAccelerometer((root / "accelerometer.txt").string(), sequence.accelerometer());
-  WriteFileAtomically((root / "depth.txt").string(), [&](std::ostream& out) { out << depth_list; });
-  // Last: a folder is a sequence once it has this list.
-  WriteFileAtomically((root / "rgb.txt").string(), [&](std::ostream& out) { out << colour_list; });
+  WriteTumTrajectory(RoomSequencePoses(seconds), folder + "/groundtruth.txt");
+  writer.WriteAccelerometer(sequence.accelerometer());
+  writer.Finish();
 }
 
 }  // namespace semantic_slam
