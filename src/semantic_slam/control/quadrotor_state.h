@@ -19,6 +19,7 @@ struct QuadrotorState {
 struct Waypoint {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   double yaw_rad = 0.0;
+  double hold_s = 0.0;  // how long the drone stays there; 0: it passes by without stopping
 };
 
 }  // namespace semantic_slam
