@@ -76,5 +76,44 @@ TEST(ObjectMapFileTest, WhatCannotBeWrittenIsNamed) {
                     {"/proc/no/objects.json"});
 }
 
+TEST(ObjectMapFileTest, ReadsWhatItWrites) {
+  const TemporaryFolder folder;
+  WriteObjectMap(folder / "objects.json", OneTable(), Vocabulary());
+  const ObjectMap map = ReadObjectMap(folder / "objects.json", Vocabulary());
+  EXPECT_EQ(map.stamp, OneTable().stamp);
+  EXPECT_EQ(map.map_id, 1);
+  EXPECT_EQ(map.revision, 42u);
+  EXPECT_EQ(map.vocabulary_hash, Vocabulary().hash());
+  ASSERT_EQ(map.objects.size(), 1u);
+  const MapObject &read = map.objects[0], table = OneTable().objects[0];
+  EXPECT_EQ(read.id, 12);
+  ASSERT_EQ(read.labels.size(), 2u);
+  EXPECT_EQ(read.labels[1].label, 14);
+  EXPECT_EQ(read.labels[1].probability, 0.25f);
+  EXPECT_EQ(read.position_m, table.position_m);
+  EXPECT_EQ(read.position_covariance_m2, table.position_covariance_m2);
+  EXPECT_TRUE(read.T_map_box.isApprox(table.T_map_box, 1e-4));  // the file's digits
+  EXPECT_EQ(read.box_size_m, table.box_size_m);
+  EXPECT_EQ(read.max_height_m, 0.75);
+  EXPECT_EQ(read.hollow, Hollowness::kFull);
+  EXPECT_EQ(read.footprint_m, table.footprint_m);
+  EXPECT_EQ(read.observations, 9);
+  EXPECT_EQ(read.last_seen, table.last_seen);
+}
+
+TEST(ObjectMapFileTest, WhatIsNoObjectMapIsNamed) {
+  const TemporaryFolder folder;
+  const auto message = [&](const std::string& path) {
+    return MessageOf<InputError>([&] { ReadObjectMap(path, Vocabulary()); });
+  };
+  ExpectOneLineWith(message(folder / "gone.json"), {"gone.json"});
+  ExpectOneLineWith(message(folder.Write("cut.json", "{\"stamp_s\": ")), {"cut.json"});
+  ExpectOneLineWith(message(folder.Write("other.json", "{\"stamp_s\": \"1.0\"}")), {"other.json"});
+  WriteObjectMap(folder / "objects.json", OneTable(), Vocabulary());
+  const LabelVocabulary other({{0, "unknown"}, {7, "desk"}});
+  ExpectOneLineWith(MessageOf<InputError>([&] { ReadObjectMap(folder / "objects.json", other); }),
+                    {"objects.json", "label set"});
+}
+
 }  // namespace
 }  // namespace semantic_slam

@@ -78,5 +78,42 @@ TEST(OccupancyMapFileTest, NamesAFileThatCannotBeWritten) {
                     {"/file/map/grid.pgm"});
 }
 
+TEST(OccupancyMapFileTest, ReadsWhatItWrites) {
+  const TemporaryFolder folder;
+  WriteOccupancyMap(folder.path(), SmallMap(), "floor_plan");
+  const OccupancyMap map = ReadOccupancyMap(folder / "floor_plan.yaml");
+  EXPECT_EQ(map.resolution_m, 0.1);
+  EXPECT_EQ(map.origin_m, SmallMap().origin_m);
+  EXPECT_EQ(map.width, 3);
+  EXPECT_EQ(map.height, 2);
+  EXPECT_EQ(map.cells, (std::vector<std::int8_t>{-1, 0, 0, -1, -1, 100}));
+}
+
+TEST(OccupancyMapFileTest, ReadsCostsInModeRaw) {
+  const TemporaryFolder folder;
+  folder.Write("cost.pgm", std::string("P5\n2 2\n255\n") + '\x00' + '\x37' + '\x64' + '\xff');
+  const std::string yaml = folder.Write(
+      "cost.yaml", "image: cost.pgm\nresolution: 0.05\norigin: [1, 2, 0]\nmode: raw\n");
+  EXPECT_EQ(ReadOccupancyMap(yaml).cells, (std::vector<std::int8_t>{100, -1, 0, 55}));
+}
+
+TEST(OccupancyMapFileTest, NamesWhatCannotBeRead) {
+  const TemporaryFolder folder;
+  const auto message = [&](const std::string& yaml) {
+    const std::string path = folder.Write("map.yaml", yaml);
+    return MessageOf<InputError>([&] { ReadOccupancyMap(path); });
+  };
+  ExpectOneLineWith(MessageOf<InputError>([&] { ReadOccupancyMap(folder / "none.yaml"); }),
+                    {"none.yaml"});
+  ExpectOneLineWith(message("image: gone.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"),
+                    {"gone.pgm"});
+  ExpectOneLineWith(message("image: a.pgm\norigin: [0, 0, 0]\n"), {"map.yaml", "resolution"});
+  ExpectOneLineWith(message("image: a.pgm\nresolution: 0\norigin: [0, 0]\n"),
+                    {"map.yaml", "resolution"});
+  ExpectOneLineWith(message("image: a.pgm\nresolution: 1\norigin: [0]\n"), {"map.yaml", "origin"});
+  ExpectOneLineWith(message("image: a.pgm\nresolution: 1\norigin: [0, 0]\nmode: scale\n"),
+                    {"map.yaml", "mode", "trinary"});
+}
+
 }  // namespace
 }  // namespace semantic_slam

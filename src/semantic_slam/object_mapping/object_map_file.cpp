@@ -1,10 +1,13 @@
 #include "semantic_slam/object_mapping/object_map_file.h"
 
 #include <cmath>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
 #include "semantic_slam/common/atomic_file.h"
+#include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 
 namespace semantic_slam {
 namespace {
@@ -61,6 +64,62 @@ Json ToJson(const MapObject& object, const LabelVocabulary& vocabulary) {
   return json;
 }
 
+template <typename Vector>
+Vector VectorFrom(const Json& json) {
+  Vector vector;
+  if (json.size() != static_cast<std::size_t>(vector.size())) throw InputError("a vector of another length");
+  for (int i = 0; i < vector.size(); ++i) vector[i] = json.at(i).get<double>();
+  return vector;
+}
+
+Stamp StampFrom(const Json& json) {
+  const auto stamp = Stamp::Parse(json.get<std::string>());
+  if (!stamp) throw InputError("a stamp that is not seconds");
+  return *stamp;
+}
+
+Hollowness HollownessFrom(const Json& json) {
+  for (const auto hollow : {Hollowness::kNo, Hollowness::kPartly, Hollowness::kFull}) {
+    if (json == ToString(hollow)) return hollow;
+  }
+  throw InputError("an unknown hollowness");
+}
+
+std::vector<LabelProbability> LabelsFrom(const Json& json, const LabelVocabulary& vocabulary) {
+  std::vector<LabelProbability> labels;
+  for (const auto& [name, probability] : json.items()) {
+    const auto label = vocabulary.Find(name);
+    if (!label) throw InputError("a class that is not in it, " + name);
+    labels.push_back({*label, probability.get<float>()});
+  }
+  if (labels.empty()) throw InputError("an object without a class");
+  return labels;
+}
+
+MapObject ObjectFrom(const Json& json, const LabelVocabulary& vocabulary) {
+  MapObject object;
+  object.id = json.at("id").get<ObjectId>();
+  object.labels = LabelsFrom(json.at("probabilities"), vocabulary);
+  object.position_m = VectorFrom<Eigen::Vector3d>(json.at("position_m"));
+  for (int row = 0; row < 3; ++row) {
+    object.position_covariance_m2.row(row) =
+        VectorFrom<Eigen::Vector3d>(json.at("position_covariance_m2").at(row));
+  }
+  const Json& box = json.at("box");
+  object.T_map_box = Eigen::Translation3d(VectorFrom<Eigen::Vector3d>(box.at("centre_m"))) *
+                     Eigen::AngleAxisd(box.at("yaw_rad").get<double>(), Eigen::Vector3d::UnitZ());
+  object.box_size_m = VectorFrom<Eigen::Vector3d>(box.at("size_m"));
+  object.min_height_m = json.at("min_height_m").get<double>();
+  object.max_height_m = json.at("max_height_m").get<double>();
+  object.hollow = HollownessFrom(json.at("hollow"));
+  for (const Json& corner : json.at("footprint_m")) {
+    object.footprint_m.push_back(VectorFrom<Eigen::Vector2d>(corner));
+  }
+  object.observations = json.at("observations").get<int>();
+  object.last_seen = StampFrom(json.at("last_seen_s"));
+  return object;
+}
+
 }  // namespace
 
 const char* ToString(Hollowness hollowness) {
@@ -85,6 +144,27 @@ void WriteObjectMap(const std::string& path, const ObjectMap& map,
   json["objects"] = Json::array();
   for (const MapObject& object : map.objects) json["objects"].push_back(ToJson(object, vocabulary));
   WriteFileAtomically(path, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+}
+
+ObjectMap ReadObjectMap(const std::string& path, const LabelVocabulary& vocabulary) {
+  std::ifstream file(path);
+  if (!file) throw InputError("cannot open object map " + path);
+  try {
+    const Json json = Json::parse(file);
+    ObjectMap map;
+    map.stamp = StampFrom(json.at("stamp_s"));
+    map.map_id = json.at("map_id").get<int>();
+    map.revision = json.at("revision").get<std::uint64_t>();
+    map.vocabulary_hash = json.at("label_set_hash").get<std::uint64_t>();
+    CheckLabelSet("object map", map.vocabulary_hash, vocabulary);
+    for (const Json& object : json.at("objects"))
+      map.objects.push_back(ObjectFrom(object, vocabulary));
+    return map;
+  } catch (const nlohmann::json::exception& e) {
+    throw InputError(path + " is no object map: " + e.what());
+  } catch (const InputError& e) {
+    throw InputError(path + " is no object map of this label set: " + e.what());
+  }
 }
 
 }  // namespace semantic_slam

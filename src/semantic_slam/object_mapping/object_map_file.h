@@ -13,6 +13,10 @@ namespace semantic_slam {
 void WriteObjectMap(const std::string& path, const ObjectMap& map,
                     const LabelVocabulary& vocabulary);
 
+// Reads such a file. Throws InputError naming `path` if it cannot be read, is not such a file or
+// was made with another label set.
+ObjectMap ReadObjectMap(const std::string& path, const LabelVocabulary& vocabulary);
+
 // "no", "partly" or "full".
 const char* ToString(Hollowness hollowness);
 
