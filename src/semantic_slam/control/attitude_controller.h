@@ -11,8 +11,8 @@ namespace semantic_slam {
 // The gains of thesis eq. (3.7), per moment of inertia: about each axis, near the desired attitude,
 // the error is that of a damped oscillator, e'' + rate_gain * e' + gain * e = 0.
 struct AttitudeControllerOptions {
-  double tilt_gain_per_s2 = 200.0;     // k_R about x and y
-  double tilt_rate_gain_per_s = 24.0;  // k_Omega about x and y
+  double tilt_gain_per_s2 = 300.0;     // k_R about x and y
+  double tilt_rate_gain_per_s = 29.0;  // k_Omega about x and y
   double yaw_gain_per_s2 = 30.0;       // k_R about z, where rotors have little torque
   double yaw_rate_gain_per_s = 9.0;    // k_Omega about z
 

@@ -10,12 +10,12 @@
 namespace semantic_slam {
 
 struct PositionControllerOptions {
-  double proportional_gain_per_s = 1.5;  // k_p of thesis eq. (3.5): its u is a velocity
+  double proportional_gain_per_s = 2.0;  // k_p of thesis eq. (3.5): its u is a velocity
   double integral_gain_per_s2 = 0.4;     // k_i
   double derivative_gain = 0.0;          // k_d, on the velocity
   double max_speed_mps = 1.5;            // of the velocity command
   double max_integral_mps = 1.0;         // of the integral's share in it, per axis
-  double velocity_gain_per_s = 4.0;      // of the inner loop, from velocity to acceleration
+  double velocity_gain_per_s = 5.0;      // of the inner loop, from velocity to acceleration
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
