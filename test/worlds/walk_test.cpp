@@ -33,6 +33,7 @@ TEST(WalkTest, GoesStraightAndTurnsOnTheSpot) {
 TEST(WalkTest, RepeatsForEverInBothDirections) {
   const Walk walk = Triangle();
   const double round_s = 12.0 + 2 * kPi;
+  EXPECT_NEAR(walk.RoundDuration(), round_s, 1e-9);
   for (const double time_s : {0.5, 4.4, 7.0, 11.0}) {
     for (const int rounds : {-2, 1, 50}) {
       EXPECT_TRUE(walk.Pose(time_s).isApprox(walk.Pose(time_s + rounds * round_s), 1e-6));

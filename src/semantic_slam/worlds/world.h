@@ -45,6 +45,9 @@ class Walk {
   // Path length [m] until `time_s`: the phase of legs.
   double Distance(double time_s) const;
 
+  // Time [s] after which the walk begins anew.
+  double RoundDuration() const { return round_s_; }
+
  private:
   struct Place {
     Eigen::Vector2d at_m = Eigen::Vector2d::Zero();
