@@ -91,6 +91,8 @@ class Painter {
   // Lays `colour` over each texel with the given share, 0..1.
   void Glaze(const Bgr& colour, const cv::Mat1f& share);
   void RemoveColour();
+  // Gaussian.
+  void Blur(double sigma_m);
   // Moves all colours so that their mean becomes `colour` as far as saturation allows.
   void SetMean(const Bgr& colour);
 

@@ -93,7 +93,7 @@ void PaintBrick(Painter& painter, const Bgr& colour) {
 // Mineral fibre in a grid of 0.6 m: pale, with fine holes.
 void PaintCeilingTiles(Painter& painter, const Bgr& colour) {
   painter.Fill(colour);
-  painter.Flecks(900, 0.003, 0.007, colour * 0.9, 5);
+  painter.Flecks(900, 0.003, 0.007, colour * 0.95, 3);
   const int tiles = cvRound(painter.width_m() / 0.6);
   const double step_m = painter.width_m() / tiles;
   for (int i = 0; i < tiles; ++i) {

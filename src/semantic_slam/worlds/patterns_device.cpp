@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -112,6 +113,9 @@ void PaintKey(Painter& painter, double x_m, double y_m, double w_m, double h_m, 
   painter.Text(x_m + 0.003, y_m + 0.5 * h_m + 0.002, 0.006, legend, InkOn(cap));
 }
 
+const std::array<std::string, 5> kLegends{"1234567890-=", "QWERTYUIOP[]", "ASDFGHJKL;'#",
+                                          "ZXCVBNM,./", ""};
+
 // Rows of keys from `left_m` to `right_m`; the lowest has a space bar.
 void PaintKeyBlock(Painter& painter, double left_m, double right_m, bool has_space_bar,
                    const Bgr& cap) {
@@ -124,8 +128,9 @@ void PaintKeyBlock(Painter& painter, double left_m, double right_m, bool has_spa
       const bool is_space = has_space_bar && row == kRows - 1 && key == 4 && keys > 11;
       const double w_m = (is_space ? 6 : 1) * key_m - 0.002;
       const bool is_edge = has_space_bar && (key == 0 || key == keys - 1);
-      const std::string legend(is_space || is_edge ? 0 : 1,
-                               static_cast<char>('A' + painter.Integer(0, 25)));
+      const auto at = static_cast<std::size_t>(key - 1);
+      const bool has_legend = !is_space && !is_edge && at < kLegends[row].size();
+      const std::string legend = has_legend ? kLegends[row].substr(at, 1) : "";
       PaintKey(painter, left_m + key * key_m, edge_m + row * row_m, w_m, row_m - 0.002,
                is_edge ? cap * 0.8 : cap, legend);
       if (is_space) key += 5;

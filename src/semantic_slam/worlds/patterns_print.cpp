@@ -108,7 +108,8 @@ void PaintNewspaper(Painter& painter, const Bgr& colour) {
   for (int i = 0; i < kColumns; ++i) {
     const bool under_photo = i == 1 || i == 2;
     const double top_m = (under_photo ? 0.56 : 0.24) * h_m;
-    painter.Print(edge_m + i * step_m, top_m, 0.92 * step_m, 0.95 * h_m - top_m, print_m, ink);
+    painter.Print(edge_m + i * step_m, top_m, 0.92 * step_m, 0.95 * h_m - top_m, print_m,
+                  Mix(ink, colour, 0.35));
     const std::string heading = Words(painter, 1);
     const double y_m = painter.Uniform(0.62, 0.82) * h_m;
     painter.Rectangle(edge_m + i * step_m, y_m - 0.03 * h_m, 0.94 * step_m, 0.045 * h_m, colour);
@@ -137,13 +138,13 @@ void PaintScrawl(Painter& painter, cv::Point2d at_m, double letter_m, int letter
     go(painter.Uniform(0.45, 0.6), -0.5 * down);
     go(0.7, painter.Uniform(0.1, 0.4));
   }
-  painter.Line(stroke, 0.12 * letter_m, ink);
+  painter.Line(stroke, 0.08 * letter_m, ink);
 }
 
 void PaintScrawledLines(Painter& painter, int lines, const Bgr& ink) {
-  const double letter_m = 0.024;
+  const double letter_m = 0.03;
   for (int line = 0; line < lines; ++line) {
-    const double y_m = (line + 1) * 0.065;
+    const double y_m = (line + 1) * 0.08;
     painter.Disc({0.01, y_m - 0.5 * letter_m}, 0.005, ink);
     for (double x_m = 0.04; x_m < 0.75 * painter.width_m();) {
       const int letters = painter.Integer(2, 7);
@@ -210,7 +211,7 @@ void PaintWhiteboard(Painter& painter, const Bgr& colour) {
         painter.Part((i % columns + 0.1) * w_m / columns, (i / columns + 0.1) * h_m / rows,
                      0.85 * w_m / columns, 0.85 * h_m / rows);
     const int kind = (first + i + i / columns) % 3;
-    if (kind == 0) PaintScrawledLines(part, 6, painter.Pick(inks));
+    if (kind == 0) PaintScrawledLines(part, 5, painter.Pick(inks));
     if (kind == 1) PaintDiagram(part, inks);
     if (kind == 2) PaintGraph(part, inks);
   }

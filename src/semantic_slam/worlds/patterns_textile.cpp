@@ -57,8 +57,10 @@ void PaintOrnament(Painter& painter, const cv::Point2d& at_m, double size_m,
                      at_m - cv::Point2d(r_m, 0), at_m - cv::Point2d(0, r_m)},
                     colour);
   };
-  diamond(1.0, painter.Pick(colours));
-  diamond(0.8, painter.Pick(colours));
+  const int first = painter.Integer(0, 4);
+  const auto ring = [&](int i) { return colours[(first + i) % colours.size()]; };
+  diamond(1.0, ring(0));
+  diamond(0.8, ring(1));
   const int points = 2 * painter.Integer(3, 5);
   std::vector<cv::Point2d> star;
   for (int i = 0; i < 2 * points; ++i) {
@@ -66,8 +68,8 @@ void PaintOrnament(Painter& painter, const cv::Point2d& at_m, double size_m,
     const double r_m = size_m * (i % 2 == 0 ? 0.28 : 0.13);
     star.push_back(at_m + r_m * cv::Point2d(std::cos(angle), std::sin(angle)));
   }
-  painter.Polygon(star, painter.Pick(colours));
-  painter.Disc(at_m, 0.08 * size_m, painter.Pick(colours));
+  painter.Polygon(star, ring(2));
+  painter.Disc(at_m, 0.08 * size_m, ring(3));
 }
 
 void PaintOrnaments(Painter& painter, const std::vector<Bgr>& colours, double step_m) {
@@ -179,8 +181,8 @@ void PaintCloth(Painter& painter, const Bgr& colour) {
   painter.Fill(colour);
   const int kind = painter.Integer(0, 2);
   if (kind > 0) PaintStripes(painter, colour, kind == 2);
-  for (int i = 0; i < 4; ++i) {
-    const double x_m = (i + 0.6) * painter.width_m() / 4;
+  for (int i = 0; i < 2; ++i) {
+    const double x_m = (i + 0.6) * painter.width_m() / 2;
     const double y_m = painter.Uniform(0, painter.height_m());
     painter.Line({{x_m, y_m},
                   {x_m + 0.1, y_m},
@@ -209,7 +211,7 @@ void PaintLeather(Painter& painter, const Bgr& colour) {
       const double angle = heading + painter.Uniform(-0.6, 0.6);
       points_m.push_back(points_m.back() + 0.02 * cv::Point2d(std::cos(angle), std::sin(angle)));
     }
-    painter.Line(points_m, 0.0025, Mix(colour, Bgr::all(painter.Chance(0.5) ? 0 : 255), 0.22));
+    painter.Line(points_m, 0.0025, Mix(colour, Bgr::all(painter.Chance(0.5) ? 0 : 255), 0.3));
   }
   const double seam_m = 0.5 * painter.height_m();
   painter.Rectangle(0, seam_m, painter.width_m(), 0.005, colour * 0.45);

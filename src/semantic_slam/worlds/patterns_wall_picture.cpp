@@ -40,7 +40,7 @@ void PaintPainting(Painter& painter, const Bgr& colour) {
                 0.2 * frame_m, Mix(colour, Bgr::all(255), 0.4));
   painter.AddNoise(0.004, 7);
   Painter canvas = painter.Part(frame_m, frame_m, w_m - 2 * frame_m, h_m - 2 * frame_m);
-  PaintScene(canvas, Hsv(painter.Uniform(0.5, 0.68), painter.Uniform(0.2, 0.6), 0.85));
+  PaintScene(canvas, Hsv(painter.Uniform(0.52, 0.61), painter.Uniform(0.2, 0.6), 0.85));
   canvas.AddNoise(0.02, 0.004, 12);  // brush strokes
   canvas.AddNoise(0.004, 0.015, 9);
   canvas.Frame(0, 0, canvas.width_m(), canvas.height_m(), 0.15 * frame_m, Bgr::all(30));
@@ -69,6 +69,7 @@ void PaintMirror(Painter& painter, const Bgr& colour) {
                       painter.Uniform(0.1, 0.4) * w_m, h_m, painter.Near(colour * 0.8, 16));
   }
   painter.AddNoise(0.25, 12);
+  painter.Blur(0.06);
   painter.Frame(0, 0, w_m, h_m, 0.012, Mix(colour, Bgr::all(255), 0.5));
   painter.Frame(0.012, 0.012, w_m - 0.024, h_m - 0.024, 0.003, colour * 0.6);
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "semantic_slam/worlds/pattern.h"
 
@@ -41,45 +42,64 @@ struct BoardLayout {
   int per_row = 2;  // boards end to end
   double gap_m = 0.002;
   double shade_contrast = 14;
-  double grain_contrast = 26;
+  double grain_contrast = 30;
   double ring_m = 0.012;
   int knots = 6;
 };
+
+// The boards' upper left corners, row by row.
+std::vector<cv::Point2d> LayBoards(Painter& painter, const BoardLayout& layout) {
+  std::vector<cv::Point2d> corners_m;
+  for (int row = 0; row < layout.rows; ++row) {
+    const double shift = painter.Uniform(0.0, 1.0);
+    for (int i = 0; i < layout.per_row; ++i) {
+      corners_m.emplace_back((i + shift) * painter.width_m() / layout.per_row,
+                             row * painter.height_m() / layout.rows);
+    }
+  }
+  return corners_m;
+}
+
+// `field` changes by up to `most` from board to board.
+void VaryByBoard(Painter& painter, const BoardLayout& layout,
+                 const std::vector<cv::Point2d>& corners_m, double most, cv::Mat1f& field) {
+  for (std::size_t i = 0; i < corners_m.size(); ++i) {
+    const auto step = static_cast<float>(painter.Uniform(-most, most));
+    const int board_row = static_cast<int>(i) / layout.per_row;
+    const int top = board_row * field.rows / layout.rows;
+    const int bottom = (board_row + 1) * field.rows / layout.rows;
+    const int left = cvRound(corners_m[i].x / painter.texel_m());
+    const int right = left + field.cols / layout.per_row;
+    for (int row = top; row < bottom; ++row) {
+      for (int column = left; column < right; ++column) field(row, column % field.cols) += step;
+    }
+  }
+}
+
+// Where branches grew: near the middles of boards.
+std::vector<cv::Point2d> Knots(Painter& painter, const BoardLayout& layout) {
+  std::vector<cv::Point2d> knots_m;
+  for (int i = 0; i < layout.knots; ++i) {
+    const double row = painter.Integer(0, layout.rows - 1) + painter.Uniform(0.3, 0.7);
+    knots_m.emplace_back(painter.Uniform(0, painter.width_m()),
+                         row * painter.height_m() / layout.rows);
+  }
+  return knots_m;
+}
 
 // Boards along x in staggered rows, each cut from another place of the trunk.
 void PaintBoards(Painter& painter, const Bgr& colour, const BoardLayout& layout) {
   painter.Fill(colour);
   cv::Mat1f rings = RingsOf(painter, layout.ring_m);
-  std::vector<cv::Point2d> knots_m;
-  for (int i = 0; i < layout.knots; ++i) {
-    const cv::Point2d at_m(painter.Uniform(0, painter.width_m()),
-                           (painter.Integer(0, layout.rows - 1) + painter.Uniform(0.3, 0.7)) *
-                               painter.height_m() / layout.rows);
-    knots_m.push_back(at_m);
+  const std::vector<cv::Point2d> knots_m = Knots(painter, layout);
+  for (const cv::Point2d& at_m : knots_m) {
     AddKnot(rings, at_m / painter.texel_m(), 0.012 / painter.texel_m());
   }
-  const double length_m = painter.width_m() / layout.per_row;
-  const double width_m = painter.height_m() / layout.rows;
-  cv::Mat1f shade(painter.size_px(), 0.0f);
-  std::vector<cv::Point2d> corners_m;
-  for (int row = 0; row < layout.rows; ++row) {
-    const double shift = painter.Uniform(0.0, 1.0);
-    const int top = row * shade.rows / layout.rows, bottom = (row + 1) * shade.rows / layout.rows;
-    for (int i = 0; i < layout.per_row; ++i) {
-      corners_m.emplace_back((i + shift) * length_m, row * width_m);
-      const auto cut = static_cast<float>(painter.Uniform(0.0, 10.0));
-      const auto grey = static_cast<float>(layout.shade_contrast * painter.Uniform(-1.0, 1.0));
-      const int left = cvRound(corners_m.back().x / painter.texel_m());
-      const int right = left + shade.cols / layout.per_row;
-      for (int column = left; column < right; ++column) {
-        const cv::Rect strip(column % shade.cols, top, 1, bottom - top);
-        rings(strip) += cut;
-        shade(strip) += grey;
-      }
-    }
-  }
+  const std::vector<cv::Point2d> corners_m = LayBoards(painter, layout);
+  VaryByBoard(painter, layout, corners_m, 5.0, rings);
   ShadeRings(rings, static_cast<float>(layout.grain_contrast));
-  painter.AddGrey(rings + shade);
+  VaryByBoard(painter, layout, corners_m, layout.shade_contrast, rings);
+  painter.AddGrey(rings);
   painter.AddNoise(0.06, 0.002, 0.35 * layout.grain_contrast);  // pores
   painter.AddNoise(0.35, 0.08, 6);
   for (const cv::Point2d& at_m : knots_m) {
@@ -88,8 +108,8 @@ void PaintBoards(Painter& painter, const Bgr& colour, const BoardLayout& layout)
   }
   const Bgr gap = colour * 0.42;
   for (const cv::Point2d& at_m : corners_m) {
-    painter.Rectangle(at_m.x, at_m.y, length_m, layout.gap_m, gap);
-    painter.Rectangle(at_m.x, at_m.y, layout.gap_m, width_m, gap);
+    painter.Rectangle(at_m.x, at_m.y, painter.width_m() / layout.per_row, layout.gap_m, gap);
+    painter.Rectangle(at_m.x, at_m.y, layout.gap_m, painter.height_m() / layout.rows, gap);
   }
 }
 

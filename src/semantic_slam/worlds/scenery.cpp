@@ -41,12 +41,12 @@ void PaintTree(Painter& painter, const cv::Point2d& foot_m, double height_m) {
   const Bgr green =
       Hsv(painter.Uniform(0.2, 0.4), painter.Uniform(0.4, 0.7), painter.Uniform(0.25, 0.5));
   painter.Line({foot_m, foot_m - cv::Point2d(0, 0.5 * height_m)}, 0.07 * height_m, Bgr(35, 50, 70));
-  const int tufts = 26;
+  const int tufts = 80;
   for (int i = 0; i < tufts; ++i) {
     const double up = painter.Uniform(0.35, 1.0);
     const double reach = 0.3 * std::sin(CV_PI * std::min(1.0, 1.25 - up));
     const cv::Point2d at_m = foot_m + height_m * cv::Point2d(painter.Uniform(-reach, reach), -up);
-    painter.Fleck(at_m, painter.Uniform(0.14, 0.26) * height_m,
+    painter.Fleck(at_m, painter.Uniform(0.06, 0.15) * height_m,
                   painter.Near(green * (0.6 + 0.5 * up), 22));
   }
 }
@@ -57,11 +57,11 @@ void PaintMeadow(Painter& painter, double horizon, const Bgr& green) {
   meadow.Gradient(Mix(green, Bgr(150, 210, 200), 0.3), green * 0.7);
   meadow.AddNoise(0.1 * w_m, 0.02 * h_m, 14);
   const double unit_m = UnitOf(painter);
-  for (int i = 0; i < 140; ++i) {
+  for (int i = 0; i < 250; ++i) {
     const double near = std::pow(painter.Uniform(0.0, 1.0), 1.5);
     const cv::Point2d at_m(painter.Uniform(0, w_m), near * meadow.height_m());
-    const Bgr bloom = Hsv(painter.Uniform(0, 1), 0.6, 0.9);
-    meadow.Fleck(at_m, (0.006 + 0.02 * near) * unit_m,
+    const Bgr bloom = Hsv(painter.Uniform(-0.15, 0.17), 0.5, 0.9);
+    meadow.Fleck(at_m, (0.005 + 0.012 * near) * unit_m,
                  painter.Chance(0.4) ? bloom : painter.Near(green * 0.8, 40));
   }
 }
@@ -86,7 +86,8 @@ void PaintHouse(Painter& painter, double x_m, double foot_m, double width_m, dou
                   roof);
   painter.Rectangle(x_m + 0.7 * width_m, eaves_m - 0.4 * height_m, 0.09 * width_m, 0.3 * height_m,
                     roof * 0.7);
-  const int columns = painter.Integer(2, 4), rows = painter.Integer(1, 3);
+  const int columns = painter.Integer(2, 4);
+  const int rows = std::max(1, cvRound(0.7 * columns * height_m / width_m));
   for (int i = 0; i < columns * rows; ++i) {
     const double w_m = 0.5 * width_m / columns, h_m = 0.5 * height_m / rows;
     const double at_x_m = x_m + (i % columns + 0.25) * width_m / columns;
@@ -156,7 +157,8 @@ void PaintPortrait(Painter& painter, const Bgr& background) {
   const auto at = [&](double x, double y) { return head + unit_m * cv::Point2d(x, y); };
   painter.Gradient(background, background * 0.45);
   painter.AddNoise(0.3 * unit_m, 14);
-  painter.Ellipse(at(0, -0.03), 0.2 * unit_m, 0.25 * unit_m, hair);
+  painter.Ellipse(at(0, painter.Uniform(-0.05, 0.08)), painter.Uniform(0.18, 0.22) * unit_m,
+                  painter.Uniform(0.22, 0.36) * unit_m, hair);
   painter.Ellipse(at(0, 0.68), 0.42 * unit_m, 0.36 * unit_m, coat);
   painter.Polygon({at(-0.08, 0.1), at(0.08, 0.1), at(0.1, 0.36), at(0, 0.42), at(-0.1, 0.36)},
                   skin * 0.85);
@@ -244,9 +246,13 @@ std::string Words(Painter& painter, int count) {
       "SUMMER", "JAZZ",   "MUSEUM", "BLUE",    "CITY",  "MODERN", "ART",   "FESTIVAL",
       "ISLAND", "MOON",   "CINEMA", "ROAD",    "STORY", "WIND",   "HOUSE", "SCIENCE",
       "WORLD",  "SEA",    "STARS",  "HISTORY", "BREAD", "ATLAS"};
-  std::string words;
-  for (int i = 0; i < count; ++i) words += (i > 0 ? " " : "") + painter.Pick(kWords);
-  return words;
+  const int words = static_cast<int>(kWords.size());
+  std::string text;
+  for (int i = 0, word = 0; i < count; ++i) {
+    word = (word + painter.Integer(1, words - 1)) % words;  // never the same twice running
+    text += (i > 0 ? " " : "") + kWords[word];
+  }
+  return text;
 }
 
 double LetterToFit(const Painter& painter, const std::string& text, double width_m,
