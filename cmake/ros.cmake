@@ -99,7 +99,8 @@ function(semantic_slam_install)
   install(DIRECTORY src/semantic_slam_ros/
     DESTINATION ${CATKIN_GLOBAL_INCLUDE_DESTINATION}/semantic_slam_ros
     FILES_MATCHING PATTERN "*.h")
-  install(PROGRAMS scripts/start_realsense DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(PROGRAMS scripts/start_realsense scripts/start_gazebo
+    DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   install(DIRECTORY launch config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
   install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endfunction()

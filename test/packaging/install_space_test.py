@@ -31,7 +31,8 @@ def test_programs_run(installed):
     assert result.stdout.startswith("usage: replay ")
 
 
-@pytest.mark.parametrize("launch", ["semantic_slam.launch", "tum_replay.launch bag:=/a.bag", "d455.launch"])
+@pytest.mark.parametrize("launch", ["semantic_slam.launch", "tum_replay.launch bag:=/a.bag", "d455.launch",
+                                    "gazebo.launch"])
 def test_launch_files_find_what_they_include_and_start(installed, launch):
     result = installed(f"roslaunch --nodes semantic_slam {launch}")
     assert result.returncode == 0, result.stdout + result.stderr
