@@ -43,6 +43,10 @@ constexpr char kSemanticGrid[] = "semantic_grid";
 constexpr char kSemanticMap[] = "semantic_map";
 constexpr char kSemanticGridImage[] = "semantic_grid_image";
 
+// From the simulator
+constexpr char kClock[] = "/clock";
+constexpr char kGroundTruthOdometry[] = "ground_truth/odometry";
+
 // Services; private to their node
 constexpr char kReset[] = "reset";
 constexpr char kPause[] = "pause";
