@@ -142,6 +142,7 @@ TEST(SimulatedDroneTest, RefusesCommandsThatAreNoneAndGoesOn) {
   expect_refused(Pitch(0.1, kStart), "does not know its attitude");
   EXPECT_FALSE(drone.is_commanded());
   EXPECT_NO_THROW(drone.Follow(good));
+  expect_refused(Pitch(0.1, Stamp{drone.stamp().ns - 10'000'000}), "comes after");
 }
 
 TEST(SimulatedDroneTest, EqualCommandsGiveEqualFlights) {

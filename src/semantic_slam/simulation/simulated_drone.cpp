@@ -47,13 +47,17 @@ SimulatedDrone::SimulatedDrone(const SimulatedDroneOptions& options,
 
 void SimulatedDrone::Follow(const RelativeAttitudeCommand& command) {
   CheckNumbers(command);
+  const Eigen::Matrix3d& R_world_base = AttitudeAt(command.stamp);
+  if (command_ && command.stamp < command_->stamp) {
+    throw InputError("command of " + ToString(command.stamp) + " s comes after that of " +
+                     ToString(command_->stamp) + " s");
+  }
   if (command.level) {
-    AttitudeAt(command.stamp);
     command_ = ActiveCommand{command.stamp, true, {}};
     command_->attitude.thrust_n = command.thrust_n;
     return;
   }
-  const Eigen::Matrix3d R_world_desired = AttitudeAt(command.stamp) * command.R_base_desired;
+  const Eigen::Matrix3d R_world_desired = R_world_base * command.R_base_desired;
   command_ = ActiveCommand{
       command.stamp, false, {R_world_desired, command.angular_velocity_radps, command.thrust_n}};
 }

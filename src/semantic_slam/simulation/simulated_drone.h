@@ -50,8 +50,8 @@ class SimulatedDrone {
                  Stamp start);
 
   // From now on it follows this command. Throws InputError, and goes on as before, if a number is
-  // not finite, the rotation is none, the thrust is negative, or the attitude at its stamp is not
-  // known: later than now, or more than a second ago.
+  // not finite, the rotation is none, the thrust is negative, the command is older than the one
+  // before, or the attitude at its stamp is not known: later than now, or more than a second ago.
   void Follow(const RelativeAttitudeCommand& command);
   // The same of somebody who knows the world frame, now. Precondition: it is finite.
   void Follow(const AttitudeCommand& command);
