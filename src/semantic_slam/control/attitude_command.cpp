@@ -14,12 +14,12 @@ AttitudeCommand After(const AttitudeCommand& command, double seconds) {
   return later;
 }
 
+Eigen::Matrix3d LevelAttitude(const Eigen::Matrix3d& R_world_base) {
+  return Eigen::AngleAxisd(Heading(R_world_base), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
 AttitudeCommand LevelCommand(const Eigen::Matrix3d& R_world_base, double thrust_n) {
-  AttitudeCommand command;
-  command.R_world_desired =
-      Eigen::AngleAxisd(Heading(R_world_base), Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  command.thrust_n = thrust_n;
-  return command;
+  return {LevelAttitude(R_world_base), Eigen::Vector3d::Zero(), thrust_n};
 }
 
 double Heading(const Eigen::Matrix3d& R_world_base) {

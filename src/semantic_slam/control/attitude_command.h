@@ -15,7 +15,10 @@ struct AttitudeCommand {
 // The command `seconds` later, if none came since: its attitude has turned on with its velocity.
 AttitudeCommand After(const AttitudeCommand& command, double seconds);
 
-// Level at the heading that the base has, without turning: what is left when no pose is known.
+// The level attitude at the base's heading: takes coordinates there to world coordinates.
+Eigen::Matrix3d LevelAttitude(const Eigen::Matrix3d& R_world_base);
+
+// To fly level at the heading that the base has, without turning.
 AttitudeCommand LevelCommand(const Eigen::Matrix3d& R_world_base, double thrust_n);
 
 // Angle [rad] of the base's x axis about the world's z, in [-pi, pi]; 0 if it points straight up.

@@ -58,10 +58,11 @@ void PositionController::Integrate(const Eigen::Vector3d& error_m,
   integral_mps_ = integral_mps_.cwiseMax(-limit).cwiseMin(limit);
 }
 
-double PositionController::HoverThrust() const {
-  const Eigen::Vector3d lift(0.0, 0.0, options_.velocity_gain_per_s * integral_mps_.z());
-  const double mps2 = LimitedAcceleration(lift, parameters_, limits_).z() + kGravityMps2;
-  return parameters_.mass_kg() * mps2;
+AttitudeCommand PositionController::Steer(const Eigen::Vector3d& acceleration_mps2) const {
+  Eigen::Vector3d wanted_mps2 = acceleration_mps2;
+  wanted_mps2.z() += options_.velocity_gain_per_s * integral_mps_.z();
+  return ToAttitude(LimitedAcceleration(wanted_mps2, parameters_, limits_), 0.0, 0.0,
+                    parameters_.mass_kg());
 }
 
 }  // namespace semantic_slam

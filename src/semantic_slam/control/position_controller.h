@@ -44,9 +44,9 @@ class PositionController {
   AttitudeCommand Compute(const FlightReference& reference, const Eigen::Vector3d& position_m,
                           const Eigen::Vector3d& velocity_mps, double step_s);
 
-  // The thrust [N] that keeps the height without knowing it: that of hovering, with what the
-  // integral has learnt of the mass.
-  double HoverThrust() const;
+  // The command for an acceleration when neither position nor velocity are known, in the level
+  // frame at the drone's heading. What the integral has learnt of the mass is added.
+  AttitudeCommand Steer(const Eigen::Vector3d& acceleration_mps2) const;
 
   // Forgets what the integral has learnt.
   void Reset() { integral_mps_.setZero(); }

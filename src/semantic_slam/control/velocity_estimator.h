@@ -10,8 +10,8 @@ namespace semantic_slam {
 
 struct VelocityEstimatorOptions {
   double position_sigma_m = 0.005;       // of a measured position, per axis
-  double acceleration_sigma_mps2 = 1.0;  // of what is expected of the acceleration, step by step
-  double bias_sigma_mps2 = 0.5;          // how far what is missing in it drifts in a second
+  double acceleration_sigma_mps2 = 0.5;  // of what is expected of the acceleration, step by step
+  double bias_sigma_mps2 = 0.2;          // how far what is missing in it drifts in a second
   double max_jump_m = 0.3;               // a position this far from the expected one is a jump
 
   template <typename Self, typename Visitor>

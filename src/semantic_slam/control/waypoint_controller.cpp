@@ -1,9 +1,21 @@
 #include "semantic_slam/control/waypoint_controller.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/option_groups.h"
 
 namespace semantic_slam {
+namespace {
+
+// How fast a drone without a pose brakes, gently, so that the camera keeps its view: speed decays
+// at this rate.
+constexpr double kBlindBrakingPerS = 2.0;
+
+}  // namespace
 
 WaypointController::WaypointController(const WaypointControllerOptions& options)
     : mass_kg_(ValidatedGroups(options).quadrotor.mass_kg()),
@@ -27,12 +39,22 @@ AttitudeCommand WaypointController::Update(const BasePose& pose) {
   const AttitudeCommand command =
       position_controller_.Compute(reference, place.position_m, place.velocity_mps, step_s);
   thrust_n_ = command.thrust_n;
+  blind_stamp_ = pose.stamp;
+  blind_velocity_mps_ =
+      Eigen::AngleAxisd(-place.yaw_rad, Eigen::Vector3d::UnitZ()) * place.velocity_mps;
   return command;
 }
 
-double WaypointController::FlyBlind() {
-  thrust_n_ = position_controller_.HoverThrust();
-  return thrust_n_;
+AttitudeCommand WaypointController::FlyBlind(Stamp stamp) {
+  if (blind_stamp_) {
+    const double step_s = std::clamp(SecondsBetween(*blind_stamp_, stamp), 0.0, kMaxGapS);
+    blind_velocity_mps_ *= std::exp(-kBlindBrakingPerS * step_s);
+  }
+  blind_stamp_ = stamp;
+  const AttitudeCommand command =
+      position_controller_.Steer(-kBlindBrakingPerS * blind_velocity_mps_);
+  thrust_n_ = command.thrust_n;
+  return command;
 }
 
 double WaypointController::DistanceToGo() const {

@@ -56,8 +56,9 @@ class WaypointController {
   // if a number is not finite or the stamp is not later than the one before.
   AttitudeCommand Update(const BasePose& pose);
 
-  // There is no pose for now. Returns the thrust [N] to fly level with.
-  double FlyBlind();
+  // There is no pose at `stamp`: the command brakes the speed that the drone had and flies level
+  // then. Its world is the level frame at the drone's heading.
+  AttitudeCommand FlyBlind(Stamp stamp);
 
   // The waypoints may be changed at any time.
   WaypointFollower& follower() { return follower_; }
@@ -78,6 +79,9 @@ class WaypointController {
   PositionController position_controller_;
   std::optional<BasePose> last_;
   double thrust_n_ = 0.0;  // that was commanded last
+  // In the level frame at the drone's heading, as far as known, at blind_stamp_.
+  Eigen::Vector3d blind_velocity_mps_ = Eigen::Vector3d::Zero();
+  std::optional<Stamp> blind_stamp_;
 };
 
 }  // namespace semantic_slam
