@@ -3,7 +3,7 @@
 
 set(SEMANTIC_SLAM_CATKIN_COMPONENTS
   cv_bridge diagnostic_msgs diagnostic_updater geometry_msgs image_transport nav_msgs nodelet
-  pluginlib rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros
+  pluginlib rosbag roscpp rosgraph_msgs sensor_msgs std_msgs std_srvs tf2 tf2_msgs tf2_ros
   visualization_msgs)
 find_package(catkin REQUIRED COMPONENTS message_generation ${SEMANTIC_SLAM_CATKIN_COMPONENTS})
 
@@ -30,9 +30,18 @@ function(semantic_slam_uses_ros target)
   semantic_slam_compile_options(${target})
 endfunction()
 
+# Where there is no simulator, takes what belongs to it out of the list of files of that name.
+function(semantic_slam_without_simulator list_name)
+  if(NOT TARGET semantic_slam_simulation)
+    list(FILTER ${list_name} EXCLUDE REGEX "/(simulator_|render_sequence)")
+  endif()
+  set(${list_name} ${${list_name}} PARENT_SCOPE)
+endfunction()
+
 # The ROS side as one library: parameters, conversions, node classes.
 function(semantic_slam_ros_library)
   file(GLOB sources CONFIGURE_DEPENDS src/semantic_slam_ros/*.cpp)
+  semantic_slam_without_simulator(sources)
   add_library(semantic_slam_ros STATIC ${sources})
   target_include_directories(semantic_slam_ros PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
   foreach(room ${SEMANTIC_SLAM_ROOMS})
@@ -44,11 +53,13 @@ endfunction()
 # An executable per src/nodes/*.cpp, and all of src/nodelets as one library of plugins.
 function(semantic_slam_nodes)
   file(GLOB node_sources CONFIGURE_DEPENDS src/nodes/*.cpp)
+  semantic_slam_without_simulator(node_sources)
   foreach(source ${node_sources})
     get_filename_component(node ${source} NAME_WE)
     semantic_slam_executable(${node} ${source})
   endforeach()
   file(GLOB nodelet_sources CONFIGURE_DEPENDS src/nodelets/*.cpp)
+  semantic_slam_without_simulator(nodelet_sources)
   if(nodelet_sources)
     add_library(semantic_slam_nodelets SHARED ${nodelet_sources})
     target_link_libraries(semantic_slam_nodelets PRIVATE semantic_slam_ros)
@@ -60,6 +71,7 @@ endfunction()
 # A program per src/tools/*.cpp. A source with a header of the same name is shared by all of them.
 function(semantic_slam_programs)
   file(GLOB sources CONFIGURE_DEPENDS src/tools/*.cpp)
+  semantic_slam_without_simulator(sources)
   set(programs "")
   set(shared "")
   foreach(source ${sources})
@@ -115,6 +127,7 @@ function(semantic_slam_ros_tests)
   find_package(rostest REQUIRED)
   get_property(executables GLOBAL PROPERTY SEMANTIC_SLAM_EXECUTABLES)
   file(GLOB sources CONFIGURE_DEPENDS test/ros/*_test.cpp)
+  semantic_slam_without_simulator(sources)
   foreach(source ${sources})
     get_filename_component(target ${source} NAME_WE)
     string(REGEX REPLACE "_test$" ".test" launch_file test/ros/${target})
@@ -135,6 +148,7 @@ function(semantic_slam_ros_tests)
   endforeach()
   # The same tests of nodes, started in another way.
   file(GLOB nodelet_tests RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} test/ros/*_nodelet.test)
+  semantic_slam_without_simulator(nodelet_tests)
   foreach(nodelet_test ${nodelet_tests})
     string(REGEX REPLACE "^test/ros/(.*)_nodelet.test$" "\\1_node_test" node_test ${nodelet_test})
     add_rostest(${nodelet_test} DEPENDENCIES ${node_test})
