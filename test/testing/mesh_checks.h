@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -32,26 +34,54 @@ inline double VolumeOf(const Mesh& mesh) {
   return volume;
 }
 
+// Numbers the places where corners of a mesh are; corners within 20 um share theirs.
+inline std::vector<int> PlacesOf(const Mesh& mesh) {
+  constexpr float kCell_m = 1e-4f;
+  constexpr float kSame_m = 2e-5f;
+  std::map<std::array<long, 3>, std::vector<std::pair<Eigen::Vector3f, int>>> cells;
+  std::vector<int> places;
+  int count = 0;
+  for (const Eigen::Vector3f& p : mesh.positions_m) {
+    int place = -1;
+    std::array<long, 3> cell;
+    for (int i = 0; i < 3; ++i) cell[i] = std::lround(p[i] / kCell_m);
+    for (int neighbour = 0; neighbour < 27 && place < 0; ++neighbour) {
+      const auto near = cells.find({cell[0] + neighbour % 3 - 1, cell[1] + neighbour / 3 % 3 - 1,
+                                    cell[2] + neighbour / 9 - 1});
+      if (near == cells.end()) continue;
+      for (const auto& [at, number] : near->second) {
+        if ((at - p).norm() < kSame_m) place = number;
+      }
+    }
+    if (place < 0) {
+      place = count++;
+      cells[cell].emplace_back(p, place);
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
 // What is wrong with a mesh that should be closed: an edge without its counterpart in the other
-// direction. Corners within 10 um are the same. "" if nothing is.
+// direction. "" if nothing is.
 inline std::string OpenEdgeOf(const Mesh& mesh) {
-  using Key = std::array<long, 3>;
-  const auto key = [](const Eigen::Vector3f& p) {
-    return Key{std::lround(p.x() * 1e5), std::lround(p.y() * 1e5), std::lround(p.z() * 1e5)};
-  };
-  std::map<std::pair<Key, Key>, int> balance;
+  const std::vector<int> places = PlacesOf(mesh);
+  std::map<std::pair<int, int>, std::pair<int, int>> balance;  // and a corner, to say where
   for (const Eigen::Vector3i& t : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
-      const Key from = key(mesh.positions_m[t[i]]);
-      const Key to = key(mesh.positions_m[t[(i + 1) % 3]]);
+      const int from = places[t[i]];
+      const int to = places[t[(i + 1) % 3]];
       if (from == to) return "an edge without length";
-      balance[std::minmax(from, to)] += from < to ? 1 : -1;
+      auto& [count, corner] = balance[std::minmax(from, to)];
+      count += from < to ? 1 : -1;
+      corner = t[i];
     }
   }
-  for (const auto& [edge, count] : balance) {
-    if (count == 0) continue;
-    return "an open edge at " + std::to_string(edge.first[0] * 1e-5) + " " +
-           std::to_string(edge.first[1] * 1e-5) + " " + std::to_string(edge.first[2] * 1e-5);
+  for (const auto& [edge, balanced] : balance) {
+    if (balanced.first == 0) continue;
+    std::ostringstream text;
+    text << "an open edge at " << mesh.positions_m[balanced.second].transpose();
+    return text.str();
   }
   return "";
 }

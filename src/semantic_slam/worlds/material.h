@@ -20,6 +20,10 @@ struct Material {
   float brightness = 0.0f;  // 0 lit by lamps only .. 1 shines by itself: a screen, a lampshade
 };
 
+// A material of which the rest does not matter.
+Material MakeMaterial(const std::string& pattern, const std::array<std::uint8_t, 3>& rgb,
+                      float gloss = 0.0f, float brightness = 0.0f);
+
 bool operator==(const Material& a, const Material& b);
 
 }  // namespace semantic_slam

@@ -7,6 +7,7 @@ namespace semantic_slam {
 namespace {
 
 constexpr float kPi = 3.14159265f;
+constexpr float kSmoothCosine = 0.7071f;  // of 45 degrees
 
 void AddTriangle(Mesh& mesh, int a, int b, int c) {
   mesh.triangles.emplace_back(a, b, c);
@@ -20,17 +21,40 @@ int AddCorner(Mesh& mesh, const Eigen::Vector3f& position_m, const Eigen::Vector
   return static_cast<int>(mesh.positions_m.size()) - 1;
 }
 
-// A flat fan about an upright axis, facing up or down.
-void AddLid(Mesh& mesh, const Eigen::Vector3f& centre_m, float radius_m, bool faces_up, int sides) {
-  const Eigen::Vector3f normal(0, 0, faces_up ? 1.0f : -1.0f);
-  const int centre = AddCorner(mesh, centre_m, normal, Eigen::Vector2f::Zero());
+// Outward normals (radial, up) at the two ends of a segment of a lathe's profile.
+struct SegmentNormals {
+  Eigen::Vector2f begin;
+  Eigen::Vector2f end;
+};
+
+std::vector<SegmentNormals> ProfileNormals(const std::vector<Eigen::Vector2f>& profile_m) {
+  std::vector<Eigen::Vector2f> flat;
+  for (std::size_t i = 0; i + 1 < profile_m.size(); ++i) {
+    const Eigen::Vector2f along = (profile_m[i + 1] - profile_m[i]).normalized();
+    flat.emplace_back(along.y(), -along.x());
+  }
+  std::vector<SegmentNormals> normals;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const auto smooth = [&](std::size_t neighbour) -> Eigen::Vector2f {
+      if (neighbour >= flat.size() || flat[i].dot(flat[neighbour]) < kSmoothCosine) return flat[i];
+      return (flat[i] + flat[neighbour]).normalized();
+    };
+    normals.push_back({smooth(i - 1), smooth(i + 1)});  // i - 1 of 0 is beyond the end, too
+  }
+  return normals;
+}
+
+// One ring of corners of a lathe's segment.
+void AddRing(Mesh& mesh, const Eigen::Vector3f& foot_m, const Eigen::Vector2f& profile_m,
+             const Eigen::Vector2f& normal, float texture_radius_m, float down_m, bool from_above,
+             int sides) {
   for (int i = 0; i <= sides; ++i) {
     const float angle = 2 * kPi * i / sides;
-    const Eigen::Vector2f rim = radius_m * Eigen::Vector2f(std::cos(angle), std::sin(angle));
-    const int corner =
-        AddCorner(mesh, centre_m + Eigen::Vector3f(rim.x(), rim.y(), 0), normal, rim);
-    if (i > 0 && faces_up) AddTriangle(mesh, centre, corner - 1, corner);
-    if (i > 0 && !faces_up) AddTriangle(mesh, centre, corner, corner - 1);
+    const Eigen::Vector3f out(std::cos(angle), std::sin(angle), 0);
+    const Eigen::Vector3f spot = profile_m.x() * out + profile_m.y() * Eigen::Vector3f::UnitZ();
+    const Eigen::Vector2f wrapped(angle * texture_radius_m, down_m);
+    AddCorner(mesh, foot_m + spot, normal.x() * out + normal.y() * Eigen::Vector3f::UnitZ(),
+              from_above ? Eigen::Vector2f(spot.head<2>()) : wrapped);
   }
 }
 
@@ -75,29 +99,39 @@ Mesh BoxMesh(const Eigen::Vector3f& centre_m, const Eigen::Vector3f& size_m) {
   return mesh;
 }
 
-Mesh CylinderMesh(const Eigen::Vector3f& foot_m, float bottom_radius_m, float top_radius_m,
-                  float height_m, int sides) {
-  const float slant_m = std::hypot(height_m, bottom_radius_m - top_radius_m);
-  const float texture_radius_m = std::max(bottom_radius_m, top_radius_m);
+Mesh LatheMesh(const Eigen::Vector3f& foot_m, const std::vector<Eigen::Vector2f>& profile_m,
+               int sides) {
+  const std::vector<SegmentNormals> normals = ProfileNormals(profile_m);
+  float texture_radius_m = 0.0f;
+  for (const Eigen::Vector2f& p : profile_m) texture_radius_m = std::max(texture_radius_m, p.x());
+  float along_m = 0.0f;
   Mesh mesh;
-  for (int i = 0; i <= sides; ++i) {
-    const float angle = 2 * kPi * i / sides;
-    const Eigen::Vector3f out(std::cos(angle), std::sin(angle), 0);
-    const Eigen::Vector3f normal =
-        (height_m * out + (bottom_radius_m - top_radius_m) * Eigen::Vector3f::UnitZ()).normalized();
-    const float along_m = angle * texture_radius_m;
-    AddCorner(mesh, foot_m + bottom_radius_m * out, normal, {along_m, slant_m});
-    const Eigen::Vector3f head_m = foot_m + height_m * Eigen::Vector3f::UnitZ();
-    const int top = AddCorner(mesh, head_m + top_radius_m * out, normal, {along_m, 0});
-    if (i == 0) continue;
-    if (bottom_radius_m > 0) AddTriangle(mesh, top - 3, top - 1, top);
-    if (top_radius_m > 0) AddTriangle(mesh, top - 3, top, top - 2);
-  }
-  if (bottom_radius_m > 0) AddLid(mesh, foot_m, bottom_radius_m, false, sides);
-  if (top_radius_m > 0) {
-    AddLid(mesh, foot_m + height_m * Eigen::Vector3f::UnitZ(), top_radius_m, true, sides);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Eigen::Vector2f step_m = profile_m[i + 1] - profile_m[i];
+    const bool from_above = std::abs(step_m.y()) < 0.2f * std::abs(step_m.x());
+    const int begin = static_cast<int>(mesh.positions_m.size());
+    AddRing(mesh, foot_m, profile_m[i], normals[i].begin, texture_radius_m, -along_m, from_above,
+            sides);
+    along_m += step_m.norm();
+    AddRing(mesh, foot_m, profile_m[i + 1], normals[i].end, texture_radius_m, -along_m, from_above,
+            sides);
+    for (int side = begin; side < begin + sides; ++side) {
+      const int above = side + sides + 1;
+      if (profile_m[i].x() > 0) AddTriangle(mesh, side, side + 1, above + 1);
+      if (profile_m[i + 1].x() > 0) AddTriangle(mesh, side, above + 1, above);
+    }
   }
   return mesh;
+}
+
+Mesh CylinderMesh(const Eigen::Vector3f& foot_m, float bottom_radius_m, float top_radius_m,
+                  float height_m, int sides) {
+  std::vector<Eigen::Vector2f> profile_m;
+  if (bottom_radius_m > 0) profile_m.emplace_back(0, 0);
+  profile_m.emplace_back(bottom_radius_m, 0);
+  profile_m.emplace_back(top_radius_m, height_m);
+  if (top_radius_m > 0) profile_m.emplace_back(0, height_m);
+  return LatheMesh(foot_m, profile_m, sides);
 }
 
 Mesh EllipsoidMesh(const Eigen::Vector3f& centre_m, const Eigen::Vector3f& radii_m, int sides) {

@@ -35,6 +35,14 @@ Mesh QuadMesh(const Eigen::Vector3f& corner_m, const Eigen::Vector3f& right_m,
 Mesh CylinderMesh(const Eigen::Vector3f& foot_m, float bottom_radius_m, float top_radius_m,
                   float height_m, int sides = 16);
 
+// What a lathe makes: `profile_m` (radius, height above `foot_m`) turned about an upright axis. The
+// outside lies to the right of the profile's direction, so it goes up on the outside, and down
+// again inside of what is hollow. Closed if it begins and ends on the axis or returns to where it
+// began. Edges below 45 degrees look smooth; what is nearly horizontal has its texture seen from
+// above.
+Mesh LatheMesh(const Eigen::Vector3f& foot_m, const std::vector<Eigen::Vector2f>& profile_m,
+               int sides = 16);
+
 // An ellipsoid with smooth normals.
 Mesh EllipsoidMesh(const Eigen::Vector3f& centre_m, const Eigen::Vector3f& radii_m, int sides = 16);
 

@@ -1,0 +1,88 @@
+#include "semantic_slam/worlds/furniture.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "semantic_slam/common/check.h"
+#include "semantic_slam/common/error.h"
+#include "semantic_slam/worlds/furniture_builder.h"
+#include "semantic_slam/worlds/furniture_families.h"
+
+namespace semantic_slam {
+namespace {
+
+std::vector<FurnitureKind> AllKinds() {
+  std::vector<FurnitureKind> kinds;
+  for (auto* family : {SeatingKinds, TableKinds, StorageKinds, ShelfKinds, BedKinds, KitchenKinds,
+                       WallKinds, OpeningKinds, ElectronicsKinds, LampKinds, PlantKinds,
+                       ReadingKinds, TablewareKinds, HouseholdKinds, PersonKinds}) {
+    std::vector<FurnitureKind> more = family();
+    std::move(more.begin(), more.end(), std::back_inserter(kinds));
+  }
+  std::sort(kinds.begin(), kinds.end(),
+            [](const FurnitureKind& a, const FurnitureKind& b) { return a.name < b.name; });
+  return kinds;
+}
+
+template <typename Value>
+std::string NamesOf(const std::map<std::string, Value>& known) {
+  std::string names;
+  for (const auto& [name, value] : known) names += (names.empty() ? "" : ", ") + name;
+  return names.empty() ? "nothing" : names;
+}
+
+template <typename Asked, typename Known>
+void CheckKnown(const std::string& what, const std::map<std::string, Asked>& asked,
+                const std::map<std::string, Known>& known) {
+  for (const auto& [name, value] : asked) {
+    if (known.count(name) == 0) {
+      throw ConfigError(what + " " + name + " is unknown, expected one of: " + NamesOf(known));
+    }
+  }
+}
+
+void CheckSize(const FurnitureKind& kind, const Eigen::Vector3f& size_m) {
+  constexpr float kSmallest = 0.2f;  // times the usual
+  constexpr float kLargest = 5.0f;
+  const char* edges[] = {"depth", "width", "height"};
+  for (int axis = 0; axis < 3; ++axis) {
+    CheckInRange<float>(kind.name + "'s " + edges[axis], size_m[axis],
+                        kSmallest * kind.size_m[axis], kLargest * kind.size_m[axis]);
+  }
+}
+
+void CheckRequest(const FurnitureKind& kind, const FurnitureRequest& request) {
+  CheckKnown(kind.name + "'s material", request.materials, kind.materials);
+  CheckKnown(kind.name + "'s number", request.numbers, kind.numbers);
+  for (const auto& [name, value] : request.numbers) {
+    const NumberRange& range = kind.numbers.at(name);
+    CheckInRange<double>(kind.name + "'s " + name, value, range.low, range.high);
+  }
+  if (request.size_m) CheckSize(kind, *request.size_m);
+}
+
+}  // namespace
+
+const std::vector<FurnitureKind>& FurnitureKinds() {
+  static const std::vector<FurnitureKind> kinds = AllKinds();
+  return kinds;
+}
+
+const FurnitureKind& FindFurnitureKind(const std::string& name) {
+  std::string names;
+  for (const FurnitureKind& kind : FurnitureKinds()) {
+    if (kind.name == name) return kind;
+    names += (names.empty() ? "" : ", ") + kind.name;
+  }
+  throw ConfigError("furniture kind " + name + " is unknown, expected one of: " + names);
+}
+
+Furniture MakeFurniture(const std::string& kind_name, const FurnitureRequest& request) {
+  const FurnitureKind& kind = FindFurnitureKind(kind_name);
+  CheckRequest(kind, request);
+  FurnitureBuilder builder(kind, request);
+  kind.build(builder);
+  return builder.Finish();
+}
+
+}  // namespace semantic_slam

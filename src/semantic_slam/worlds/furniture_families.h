@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "semantic_slam/worlds/furniture.h"
+
+namespace semantic_slam {
+
+// The kinds of each family; furniture.h has all of them in one list.
+std::vector<FurnitureKind> SeatingKinds();
+std::vector<FurnitureKind> TableKinds();
+std::vector<FurnitureKind> StorageKinds();
+std::vector<FurnitureKind> ShelfKinds();
+std::vector<FurnitureKind> BedKinds();
+std::vector<FurnitureKind> KitchenKinds();
+std::vector<FurnitureKind> WallKinds();
+std::vector<FurnitureKind> OpeningKinds();
+std::vector<FurnitureKind> ElectronicsKinds();
+std::vector<FurnitureKind> LampKinds();
+std::vector<FurnitureKind> PlantKinds();
+std::vector<FurnitureKind> ReadingKinds();
+std::vector<FurnitureKind> TablewareKinds();
+std::vector<FurnitureKind> HouseholdKinds();
+std::vector<FurnitureKind> PersonKinds();
+
+}  // namespace semantic_slam

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+
+#include "semantic_slam/worlds/furniture_builder.h"
+#include "semantic_slam/worlds/furniture_families.h"
+#include "semantic_slam/worlds/shapes.h"
+
+namespace semantic_slam {
+namespace {
+
+constexpr float kBoard_m = 0.02f;
+
+// A free space on a board: from `right_m` to `left_m` (y), from the board up, as deep as from
+// `rear_m` to `front_m` (x).
+struct Space {
+  float rear_m;
+  float front_m;
+  float right_m;
+  float left_m;
+  float low_m;
+  float high_m;
+};
+
+// Groups of books, each of one height and depth, with gaps and what lies about between them.
+void FillWithBooks(FurnitureBuilder& b, const Space& space) {
+  const float rise_m = space.high_m - space.low_m;
+  float y = space.left_m - 0.01f;  // from left to right as seen from the front
+  while (y - space.right_m > 0.1f) {
+    const float width_m = std::min(b.Random(0.12f, 0.38f), y - space.right_m - 0.01f);
+    const float height_m = std::min(b.Random(0.19f, 0.3f), rise_m - 0.02f);
+    const float depth_m = std::min(b.Random(0.14f, 0.24f), space.front_m - space.rear_m - 0.01f);
+    const float front = space.front_m - b.Random(0.01f, 0.05f);
+    const float kind = b.Random(0, 1);
+    const Eigen::Vector3f low(std::max(front - depth_m, space.rear_m), y - width_m, space.low_m);
+    if (kind < 0.72f) {
+      b.BoxWithPicture("paper", "books", low, {front, y, space.low_m + height_m});
+    } else if (kind < 0.86f) {  // lying
+      b.BoxWithPicture("paper", "books", low, {front, y, space.low_m + 0.35f * height_m});
+    }
+    y -= width_m + (kind > 0.6f ? b.Random(0.02f, 0.1f) : 0.004f);
+  }
+}
+
+// Sides, top, back and boards; returns the spaces between the boards.
+std::vector<Space> AddCase(FurnitureBuilder& b, int rows) {
+  const float rear = -0.5f * b.depth();
+  const float front = 0.5f * b.depth();
+  const float side = 0.5f * b.width();
+  const float plinth_m = 0.06f;
+  b.Box("body", {rear, -side, 0}, {front, -side + kBoard_m, b.height()});
+  b.Box("body", {rear, side - kBoard_m, 0}, {front, side, b.height()});
+  b.Box("body", {rear, -side + kBoard_m, plinth_m},
+        {rear + 0.006f, side - kBoard_m, b.height() - kBoard_m});
+  b.Box("body", {front - 0.04f, -side + kBoard_m, 0}, {front - 0.02f, side - kBoard_m, plinth_m});
+  const float each_m = (b.height() - plinth_m - kBoard_m) / rows;
+  std::vector<Space> spaces;
+  for (int i = 0; i <= rows; ++i) {
+    const float low = plinth_m + i * each_m;
+    b.Box("body", {rear + (i < rows ? 0.006f : 0.0f), -side + kBoard_m, low},
+          {front, side - kBoard_m, low + kBoard_m});
+    if (i == rows) break;
+    spaces.push_back(
+        {rear + 0.006f, front, -side + kBoard_m, side - kBoard_m, low + kBoard_m, low + each_m});
+  }
+  return spaces;
+}
+
+int RowsOf(const FurnitureBuilder& b) {
+  return std::max(1, static_cast<int>(std::lround((b.height() - 0.08f) / 0.34f)));
+}
+
+void BuildBookshelf(FurnitureBuilder& b) {
+  for (const Space& space : AddCase(b, RowsOf(b))) {
+    if (b.Random(0, 1) < b.Number("fill")) FillWithBooks(b, space);
+  }
+}
+
+// Posts and boards only, with boxes and vases on them.
+void BuildRack(FurnitureBuilder& b) {
+  const float post_m = 0.035f;
+  const float x_m = 0.5f * (b.depth() - post_m);
+  const float y_m = 0.5f * (b.width() - post_m);
+  for (const float x : {-x_m, x_m}) {
+    for (const float y : {-y_m, y_m}) {
+      b.Box("frame", {x - 0.5f * post_m, y - 0.5f * post_m, 0},
+            {x + 0.5f * post_m, y + 0.5f * post_m, b.height()});
+    }
+  }
+  const int rows = std::max(2, static_cast<int>(std::lround(b.height() / 0.42f)));
+  for (int i = 0; i < rows; ++i) {
+    const float low = 0.12f + i * (b.height() - 0.16f) / (rows - 1) - (i + 1 == rows ? 0.02f : 0);
+    b.Box("boards", {-x_m + 0.5f * post_m, -y_m, low}, {x_m - 0.5f * post_m, y_m, low + kBoard_m});
+    if (i + 1 == rows) break;
+    const float rise_m = (b.height() - 0.16f) / (rows - 1) - kBoard_m;
+    for (float y = y_m - 0.05f; y > -y_m + 0.3f; y -= 0.36f) {
+      if (b.Random(0, 1) > b.Number("fill")) continue;
+      const float depth_m = b.Random(0.6f, 0.9f) * b.depth() - 2 * post_m;
+      const float width_m = b.Random(0.18f, 0.3f);
+      b.Box("boxes", {-0.5f * depth_m, y - width_m, low + kBoard_m},
+            {0.5f * depth_m, y, low + kBoard_m + b.Random(0.4f, 0.8f) * rise_m});
+    }
+  }
+}
+
+// A board on two brackets with books on it.
+void BuildWallShelf(FurnitureBuilder& b) {
+  const float side = 0.5f * b.width();
+  const float bracket_m = 0.1f;
+  b.Box("body", {0, -side, bracket_m}, {b.depth(), side, bracket_m + kBoard_m});
+  for (const float y : {-0.7f * side, 0.7f * side}) {
+    b.Box("brackets", {0, y - 0.01f, 0}, {0.012f, y + 0.01f, bracket_m});
+    b.Box("brackets", {0, y - 0.01f, bracket_m - 0.012f},
+          {0.85f * b.depth(), y + 0.01f, bracket_m});
+  }
+  // One that is as high as asked for, whatever the others are.
+  const float top = bracket_m + kBoard_m;
+  b.BoxWithPicture("paper", "books", {0.02f, side - 0.25f, top},
+                   {0.8f * b.depth(), side - 0.05f, b.height()});
+  if (b.Number("fill") > 0.5f) {
+    FillWithBooks(b, {0.01f, 0.95f * b.depth(), -side + 0.05f, side - 0.28f, top, b.height()});
+  }
+}
+
+}  // namespace
+
+std::vector<FurnitureKind> ShelfKinds() {
+  const Material oak = MakeMaterial("wood", {172, 128, 82}, 0.2f);
+  const Material steel = MakeMaterial("metal", {110, 112, 116}, 0.3f);
+  const Material books = MakeMaterial("books", {150, 90, 70});
+  const Material paper = MakeMaterial("paper", {220, 212, 195});
+  return {
+      {"bookshelf",
+       "bookshelf",
+       Mount::kFloor,
+       {0.3f, 0.9f, 1.9f},
+       {{"body", oak}, {"books", books}, {"paper", paper}},
+       {{"fill", {1.0, 0, 1}}},
+       BuildBookshelf},
+      {"rack",
+       "shelves",
+       Mount::kFloor,
+       {0.45f, 1.0f, 1.8f},
+       {{"frame", steel}, {"boards", oak}, {"boxes", MakeMaterial("cardboard", {178, 140, 98})}},
+       {{"fill", {0.7, 0, 1}}},
+       BuildRack},
+      {"wall_shelf",
+       "shelves",
+       Mount::kWall,
+       {0.24f, 1.0f, 0.36f},
+       {{"body", oak}, {"brackets", steel}, {"books", books}, {"paper", paper}},
+       {{"fill", {1.0, 0, 1}}},
+       BuildWallShelf}};
+}
+
+}  // namespace semantic_slam

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+
+#include "semantic_slam/worlds/furniture_builder.h"
+#include "semantic_slam/worlds/furniture_families.h"
+#include "semantic_slam/worlds/shapes.h"
+
+namespace semantic_slam {
+namespace {
+
+constexpr float kFront_m = 0.018f;   // thickness of drawer fronts and doors
+constexpr float kHandle_m = 0.022f;  // how far handles stick out
+constexpr float kGap_m = 0.003f;     // around fronts
+
+// The space that a row of fronts covers: heights and the left and right end.
+struct FrontArea {
+  float low_m;
+  float high_m;
+  float right_m;  // smallest y
+  float left_m;
+};
+
+float FaceOf(const FurnitureBuilder& b) {
+  return 0.5f * b.depth() - kFront_m - kHandle_m;
+}
+
+void AddFront(FurnitureBuilder& b, const FrontArea& area) {
+  const float face = FaceOf(b);
+  b.Box("fronts", {face, area.right_m + kGap_m, area.low_m + kGap_m},
+        {face + kFront_m, area.left_m - kGap_m, area.high_m - kGap_m});
+}
+
+void AddHandle(FurnitureBuilder& b, float y_m, float z_m, float width_m, float height_m) {
+  const float x = 0.5f * b.depth();
+  b.Box("handles", {x - kHandle_m, y_m - 0.5f * width_m, z_m - 0.5f * height_m},
+        {x, y_m + 0.5f * width_m, z_m + 0.5f * height_m});
+}
+
+void AddDrawers(FurnitureBuilder& b, const FrontArea& area, int rows) {
+  const float each_m = (area.high_m - area.low_m) / rows;
+  for (int i = 0; i < rows; ++i) {
+    const float low = area.low_m + i * each_m;
+    AddFront(b, {low, low + each_m, area.right_m, area.left_m});
+    AddHandle(b, 0.5f * (area.left_m + area.right_m), low + 0.6f * each_m,
+              std::min(0.16f, 0.4f * (area.left_m - area.right_m)), 0.014f);
+  }
+}
+
+// Doors side by side; handles where two of them meet.
+void AddDoors(FurnitureBuilder& b, const FrontArea& area, int doors) {
+  const float each_m = (area.left_m - area.right_m) / doors;
+  for (int i = 0; i < doors; ++i) {
+    const float right = area.right_m + i * each_m;
+    AddFront(b, {area.low_m, area.high_m, right, right + each_m});
+    const float handle = i % 2 == 0 ? right + each_m - 0.05f : right + 0.05f;
+    AddHandle(b, handle, area.low_m + 0.55f * (area.high_m - area.low_m), 0.014f,
+              std::min(0.16f, 0.3f * (area.high_m - area.low_m)));
+  }
+}
+
+FrontArea WholeFront(const FurnitureBuilder& b, float low_m, float high_m) {
+  return {low_m, high_m, -0.5f * b.width(), 0.5f * b.width()};
+}
+
+// The closed box behind the fronts.
+void AddCarcass(FurnitureBuilder& b, float low_m, float high_m) {
+  b.Box("body", {-0.5f * b.depth(), -0.5f * b.width(), low_m},
+        {FaceOf(b), 0.5f * b.width(), high_m});
+}
+
+void AddFeet(FurnitureBuilder& b, float height_m) {
+  const float x_m = 0.5f * b.depth() - 0.07f;
+  const float y_m = 0.5f * b.width() - 0.04f;
+  for (const float x : {-x_m, x_m - kHandle_m}) {
+    for (const float y : {-y_m, y_m}) {
+      b.Add("body", BeamMesh({x, y, 0}, {x, y, height_m}, {0.028f, 0.028f}, {0.04f, 0.04f}));
+    }
+  }
+}
+
+// A board on top that sticks out a little.
+void AddTopBoard(FurnitureBuilder& b, float thickness_m) {
+  b.Box("top", {-0.5f * b.depth(), -0.5f * b.width(), b.height() - thickness_m},
+        {0.5f * b.depth() - 0.5f * kHandle_m, 0.5f * b.width(), b.height()});
+}
+
+void BuildDresser(FurnitureBuilder& b) {
+  const float feet_m = b.Number("feet_m");
+  const float board_m = 0.022f;
+  AddFeet(b, feet_m);
+  AddCarcass(b, feet_m, b.height() - board_m);
+  AddTopBoard(b, board_m);
+  const int rows = static_cast<int>(std::lround(b.Number("rows")));
+  const int columns = std::max(1, static_cast<int>(std::lround(b.width() / 0.75f)));
+  const float each_m = b.width() / columns;
+  for (int i = 0; i < columns; ++i) {
+    const float right = -0.5f * b.width() + i * each_m;
+    AddDrawers(b, {feet_m, b.height() - board_m, right, right + each_m}, rows);
+  }
+}
+
+// A drawer above an open niche.
+void BuildNightStand(FurnitureBuilder& b) {
+  constexpr float kBoard_m = 0.018f;
+  const float feet_m = 0.12f;
+  const float rear = -0.5f * b.depth();
+  const float side = 0.5f * b.width();
+  const float drawer_m = feet_m + 0.55f * (b.height() - feet_m);
+  AddFeet(b, feet_m);
+  AddTopBoard(b, kBoard_m);
+  AddCarcass(b, drawer_m, b.height() - kBoard_m);
+  AddDrawers(b, WholeFront(b, drawer_m, b.height() - kBoard_m), 1);
+  b.Box("body", {rear, -side, feet_m}, {FaceOf(b), side, feet_m + kBoard_m});
+  for (const float y : {-side, side - kBoard_m}) {
+    b.Box("body", {rear, y, feet_m + kBoard_m}, {FaceOf(b), y + kBoard_m, drawer_m});
+  }
+  b.Box("body", {rear, -side + kBoard_m, feet_m + kBoard_m},
+        {rear + 0.008f, side - kBoard_m, drawer_m});
+}
+
+void BuildWardrobe(FurnitureBuilder& b) {
+  const float plinth_m = 0.07f;
+  const float cornice_m = 0.03f;
+  b.Box("body", {-0.5f * b.depth() + 0.02f, -0.5f * b.width() + 0.02f, 0},
+        {FaceOf(b) - 0.03f, 0.5f * b.width() - 0.02f, plinth_m});
+  AddCarcass(b, plinth_m, b.height() - cornice_m);
+  AddTopBoard(b, cornice_m);
+  const int doors = std::max(1, static_cast<int>(std::lround(b.width() / 0.5f)));
+  AddDoors(b, WholeFront(b, plinth_m, b.height() - cornice_m), doors);
+}
+
+// Low, on feet: doors at both ends and drawers in the middle.
+void BuildSideboard(FurnitureBuilder& b) {
+  const float feet_m = b.Number("feet_m");
+  const float board_m = 0.025f;
+  const float third_m = b.width() / 3;
+  AddFeet(b, feet_m);
+  AddCarcass(b, feet_m, b.height() - board_m);
+  AddTopBoard(b, board_m);
+  const float high = b.height() - board_m;
+  AddDoors(b, {feet_m, high, -0.5f * b.width(), -0.5f * b.width() + third_m}, 1);
+  AddDrawers(b, {feet_m, high, -0.5f * third_m, 0.5f * third_m}, 2);
+  AddDoors(b, {feet_m, high, 0.5f * b.width() - third_m, 0.5f * b.width()}, 1);
+}
+
+void BuildFilingCabinet(FurnitureBuilder& b) {
+  b.Box("body", {-0.5f * b.depth() + 0.01f, -0.5f * b.width() + 0.01f, 0},
+        {FaceOf(b) - 0.02f, 0.5f * b.width() - 0.01f, 0.04f});
+  AddCarcass(b, 0.04f, b.height());
+  AddDrawers(b, WholeFront(b, 0.04f, b.height() - 0.01f),
+             std::max(2, static_cast<int>(std::lround(b.height() / 0.33f))));
+}
+
+// On a wall, as above a kitchen's worktop. Its frame's origin is on the wall.
+void BuildWallCabinet(FurnitureBuilder& b) {
+  const float face = b.depth() - kFront_m - kHandle_m;
+  b.Box("body", {0, -0.5f * b.width(), 0}, {face, 0.5f * b.width(), b.height()});
+  const int doors = std::max(1, static_cast<int>(std::lround(b.width() / 0.45f)));
+  const float each_m = b.width() / doors;
+  for (int i = 0; i < doors; ++i) {
+    const float right = -0.5f * b.width() + i * each_m;
+    b.Box("fronts", {face, right + kGap_m, kGap_m},
+          {face + kFront_m, right + each_m - kGap_m, b.height() - kGap_m});
+    const float y = i % 2 == 0 ? right + each_m - 0.05f : right + 0.05f;
+    b.Box("handles", {face + kFront_m, y - 0.007f, 0.06f}, {b.depth(), y + 0.007f, 0.2f});
+  }
+}
+
+FurnitureKind CupboardOf(const std::string& name, const std::string& label, Mount mount,
+                         const Eigen::Vector3f& size_m, const Material& body,
+                         const Material& fronts, void (*build)(FurnitureBuilder&)) {
+  return {
+      name,
+      label,
+      mount,
+      size_m,
+      {{"body", body}, {"fronts", fronts}, {"handles", MakeMaterial("metal", {60, 60, 64}, 0.5f)}},
+      {},
+      build};
+}
+
+FurnitureKind WithTop(FurnitureKind kind) {
+  kind.materials.emplace("top", kind.materials.at("body"));
+  return kind;
+}
+
+}  // namespace
+
+std::vector<FurnitureKind> StorageKinds() {
+  const Material oak = MakeMaterial("wood", {172, 128, 82}, 0.2f);
+  const Material pine = MakeMaterial("wood", {205, 165, 110}, 0.2f);
+  const Material walnut = MakeMaterial("wood", {110, 72, 45}, 0.25f);
+  const Material white = MakeMaterial("plastic", {225, 225, 220}, 0.25f);
+  const Material steel = MakeMaterial("metal", {150, 155, 160}, 0.3f);
+  FurnitureKind dresser = CupboardOf("dresser", "dresser", Mount::kFloor, {0.48f, 1.2f, 0.82f},
+                                     pine, pine, BuildDresser);
+  dresser.numbers = {{"rows", {3, 1, 6}}, {"feet_m", {0.1, 0.04, 0.25}}};
+  FurnitureKind sideboard = CupboardOf("sideboard", "cabinet", Mount::kFloor, {0.45f, 1.6f, 0.75f},
+                                       walnut, walnut, BuildSideboard);
+  sideboard.numbers = {{"feet_m", {0.14, 0.04, 0.3}}};
+  FurnitureKind tv_stand = CupboardOf("tv_stand", "cabinet", Mount::kFloor, {0.42f, 1.6f, 0.5f},
+                                      oak, white, BuildSideboard);
+  tv_stand.numbers = {{"feet_m", {0.12, 0.04, 0.2}}};
+  return {WithTop(dresser),
+          WithTop(sideboard),
+          WithTop(tv_stand),
+          WithTop(CupboardOf("night_stand", "night_stand", Mount::kFloor, {0.42f, 0.48f, 0.55f},
+                             oak, oak, BuildNightStand)),
+          WithTop(CupboardOf("wardrobe", "cabinet", Mount::kFloor, {0.62f, 1.5f, 2.1f}, oak, white,
+                             BuildWardrobe)),
+          CupboardOf("filing_cabinet", "cabinet", Mount::kFloor, {0.6f, 0.42f, 1.0f}, steel, steel,
+                     BuildFilingCabinet),
+          CupboardOf("wall_cabinet", "cabinet", Mount::kWall, {0.36f, 0.9f, 0.7f}, white, white,
+                     BuildWallCabinet)};
+}
+
+}  // namespace semantic_slam
