@@ -8,6 +8,7 @@
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/label_vocabulary.h"
+#include "semantic_slam/worlds/pattern.h"
 #include "testing/expect_error.h"
 #include "testing/mesh_checks.h"
 
@@ -75,6 +76,7 @@ TEST_P(EveryKind, HasALabelOfTheVocabulary) {
 TEST_P(EveryKind, TakesOtherMaterialsForEachPart) {
   for (const auto& [part, usual] : kind().materials) {
     FurnitureRequest request;
+    for (const auto& [name, range] : kind().numbers) request.numbers[name] = range.high;
     request.materials[part] = usual;
     request.materials[part].rgb = {1, 2, 3};
     bool found = false;
@@ -82,6 +84,16 @@ TEST_P(EveryKind, TakesOtherMaterialsForEachPart) {
       found = found || made.material.rgb == std::array<std::uint8_t, 3>{1, 2, 3};
     }
     EXPECT_TRUE(found) << part;
+  }
+}
+
+TEST_P(EveryKind, IsMadeOfWhatCanBePainted) {
+  for (const FurniturePart& part : MakeFurniture(GetParam()).parts) {
+    const auto pattern = Patterns().find(part.material.pattern);
+    ASSERT_NE(pattern, Patterns().end()) << part.material.pattern;
+    const bool is_picture = !part.material.picture_size_m.isZero();
+    const auto other = is_picture ? Pattern::Extent::kRepeats : Pattern::Extent::kPicture;
+    EXPECT_NE(pattern->second.extent, other) << part.material.pattern;
   }
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -58,29 +59,20 @@ FurnitureKind SheetsOf(const std::string& name, const Eigen::Vector3f& size_m,
           BuildSheets};
 }
 
-std::map<std::string, Material> BookMaterials() {
-  return {{"cover_a", MakeMaterial("paper", {150, 50, 44})},
-          {"cover_b", MakeMaterial("paper", {40, 82, 120})},
-          {"cover_c", MakeMaterial("paper", {206, 170, 80})},
-          {"spine", MakeMaterial("books", {130, 90, 60})},
-          {"title", MakeMaterial("magazine", {200, 180, 150})}};
-}
-
 }  // namespace
 
 std::vector<FurnitureKind> ReadingKinds() {
-  return {
-      {"book_stack",
-       "books",
-       Mount::kFloor,
-       {0.22f, 0.28f, 0.13f},
-       BookMaterials(),
-       {},
-       BuildBookStack},
-      {"book_row", "books", Mount::kFloor, {0.18f, 0.4f, 0.26f}, BookMaterials(), {}, BuildBookRow},
-      SheetsOf("magazine", {0.29f, 0.21f, 0.006f}, "magazine"),
-      SheetsOf("newspaper", {0.4f, 0.3f, 0.008f}, "newspaper"),
-      SheetsOf("paper", {0.297f, 0.21f, 0.004f}, "newspaper")};
+  const std::map<std::string, Material> row{{"cover_a", MakeMaterial("paper", {150, 50, 44})},
+                                            {"cover_b", MakeMaterial("paper", {40, 82, 120})},
+                                            {"spine", MakeMaterial("books", {130, 90, 60})}};
+  std::map<std::string, Material> stack = row;
+  stack.emplace("cover_c", MakeMaterial("paper", {206, 170, 80}));
+  stack.emplace("title", MakeMaterial("magazine", {200, 180, 150}));
+  return {{"book_stack", "books", Mount::kFloor, {0.22f, 0.28f, 0.13f}, stack, {}, BuildBookStack},
+          {"book_row", "books", Mount::kFloor, {0.18f, 0.4f, 0.26f}, row, {}, BuildBookRow},
+          SheetsOf("magazine", {0.29f, 0.21f, 0.006f}, "magazine"),
+          SheetsOf("newspaper", {0.4f, 0.3f, 0.008f}, "newspaper"),
+          SheetsOf("paper", {0.297f, 0.21f, 0.004f}, "newspaper")};
 }
 
 }  // namespace semantic_slam
