@@ -69,7 +69,7 @@ class Painter {
   void Flecks(double per_m2, double smallest_m, double largest_m, const Bgr& colour,
               double contrast);
   // Capitals are `letter_m` high; their left lower corner is (x_m, y_m). Turned text runs
-  // downwards, as on the back of a book, and its left upper corner is there.
+  // downwards, as on the back of a book, and the left upper corner of its capitals is there.
   void Text(double x_m, double y_m, double letter_m, const std::string& text, const Bgr& colour,
             bool turned = false);
   double TextWidth(double letter_m, const std::string& text) const;

@@ -41,10 +41,11 @@ void Painter::Text(double x_m, double y_m, double letter_m, const std::string& t
   cv::putText(stencil, text, {0, size.height}, kFont, scale, cv::Scalar(255), thickness,
               cv::LINE_AA);
   cv::rotate(stencil, stencil, cv::ROTATE_90_CLOCKWISE);
-  const cv::Rect place = cv::Rect(at, stencil.size()) & cv::Rect({}, image_.size());
+  const cv::Rect place =
+      cv::Rect(at - cv::Point(below_px, 0), stencil.size()) & cv::Rect({}, image_.size());
   if (place.empty()) return;
   cv::Mat1f share;
-  stencil(place - at).convertTo(share, CV_32F, 1.0 / 255.0);
+  stencil(place - at + cv::Point(below_px, 0)).convertTo(share, CV_32F, 1.0 / 255.0);
   Painter(image_(place), texel_m_, 0).Glaze(colour, share);
 }
 

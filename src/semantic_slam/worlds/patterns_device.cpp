@@ -146,6 +146,7 @@ void PaintKeyboard(Painter& painter, const Bgr& colour) {
   const double pad_m = w_m > 0.38 ? 0.08 : 0.0;
   PaintKeyBlock(painter, 0.008, w_m - 0.008 - (pad_m > 0 ? pad_m + 0.01 : 0.0), true, cap);
   if (pad_m > 0) PaintKeyBlock(painter, w_m - 0.008 - pad_m, w_m - 0.008, false, cap);
+  painter.AddNoise(0.004, 4);  // worn
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void PaintSpine(Painter& spine, const Bgr& cloth) {
   }
   const std::string title = Words(spine, spine.Integer(1, 3));
   const double letter_m = LetterToFit(spine, title, 0.6 * h_m, std::min(0.5 * w_m, 0.014));
-  spine.Text((w_m - 1.2 * letter_m) / 2, 0.22 * h_m, letter_m, title, InkOn(cloth), true);
+  spine.Text((w_m - letter_m) / 2, 0.22 * h_m, letter_m, title, InkOn(cloth), true);
   spine.Disc({w_m / 2, 0.8 * h_m}, 0.22 * w_m, ink);
   // Backs are round.
   for (const double x_m : {0.0, w_m - 0.0015}) spine.Rectangle(x_m, 0, 0.0015, h_m, cloth * 0.45);

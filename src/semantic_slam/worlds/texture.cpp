@@ -12,7 +12,8 @@
 namespace semantic_slam {
 namespace {
 
-constexpr int kLongestEdgePx = 1024;  // of a picture, to bound memory
+constexpr int kLongestEdgePx = 1024;    // of a picture, to bound memory
+constexpr float kLongestEdgeM = 20.0f;  // to bound what is painted on it
 
 const Pattern& PatternOf(const Material& material) {
   const auto found = Patterns().find(material.pattern);
@@ -22,10 +23,11 @@ const Pattern& PatternOf(const Material& material) {
   throw ConfigError("pattern \"" + material.pattern + "\" does not exist; there are " + known);
 }
 
+// Whether the material is one picture; throws ConfigError if its pattern does not allow that.
 bool IsPicture(const Material& material, const Pattern& pattern) {
   const Eigen::Vector2f& size_m = material.picture_size_m;
-  const bool has_size = size_m.x() > 0.0f && size_m.y() > 0.0f && size_m.allFinite();
-  const bool has_none = size_m.isZero();
+  const bool has_size = (size_m.array() > 0.0f).all() && (size_m.array() <= kLongestEdgeM).all();
+  const bool has_none = size_m == Eigen::Vector2f::Zero();
   if ((has_size && pattern.extent != Pattern::Extent::kRepeats) ||
       (has_none && pattern.extent != Pattern::Extent::kPicture)) {
     return has_size;
@@ -33,7 +35,7 @@ bool IsPicture(const Material& material, const Pattern& pattern) {
   const bool must_repeat = pattern.extent == Pattern::Extent::kRepeats;
   throw ConfigError("picture_size_m of pattern \"" + material.pattern + "\" = [" +
                     std::to_string(size_m.x()) + ", " + std::to_string(size_m.y()) +
-                    "], but must be " + (must_repeat ? "zero" : "positive"));
+                    "], but must be " + (must_repeat ? "zero" : "in (0, 20]"));
 }
 
 std::uint64_t SeedOf(const Material& material) {
@@ -42,7 +44,7 @@ std::uint64_t SeedOf(const Material& material) {
   return seed;
 }
 
-// Reads four neighbours of three colours each at once.
+// Of four neighbours, `right` and `down` of the way from the first.
 cv::Vec3f Blend(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c,
                 const std::uint8_t* d, float right, float down) {
   const float weight_d = right * down;
