@@ -47,9 +47,17 @@ constexpr char kSemanticGridImage[] = "semantic_grid_image";
 constexpr char kClock[] = "/clock";
 constexpr char kGroundTruthOdometry[] = "ground_truth/odometry";
 
+// Of flying
+constexpr char kWaypoints[] = "waypoints";
+constexpr char kGoal[] = "goal";
+constexpr char kAttitudeThrust[] = "attitude_thrust";
+constexpr char kWaypointStatus[] = "waypoint_status";
+constexpr char kReferencePath[] = "reference_path";
+
 // Services; private to their node
 constexpr char kReset[] = "reset";
 constexpr char kPause[] = "pause";
+constexpr char kClear[] = "clear";
 constexpr char kSaveTrajectory[] = "save_trajectory";
 constexpr char kSaveMap[] = "save_map";
 constexpr char kQuery[] = "query";

@@ -27,6 +27,7 @@
 #include "semantic_slam_ros/semantic_cloud_node.h"
 #include "semantic_slam_ros/semantic_grid_node.h"
 #include "semantic_slam_ros/tracking_node.h"
+#include "semantic_slam_ros/waypoint_controller_node.h"
 
 namespace semantic_slam_ros {
 namespace {
@@ -77,8 +78,13 @@ struct SemanticGrid {
   using Parameters = SemanticGridNodeParameters;
 };
 
+struct WaypointController {
+  static constexpr char kName[] = "waypoint_controller";
+  using Parameters = WaypointControllerNodeParameters;
+};
+
 using Nodes = testing::Types<Tracking, Segmentation, Detection, SemanticCloud, Octomap, GridSlam, ObjectTracking,
-                             ObjectMapping, SemanticGrid>;
+                             ObjectMapping, SemanticGrid, WaypointController>;
 
 struct Outcome {
   int status;
