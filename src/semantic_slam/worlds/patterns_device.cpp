@@ -82,12 +82,8 @@ void PaintWindow(Painter& desktop, double x_m, double y_m, double w_m, double h_
   }
 }
 
-// A desktop of the main colour with windows, symbols and a task bar, in a thin black bezel.
-void PaintScreen(Painter& painter, const Bgr& colour) {
-  const double bezel_m = std::min(0.008, 0.1 * std::min(painter.width_m(), painter.height_m()));
-  painter.Fill(Bgr::all(22));
-  Painter desktop = painter.Part(bezel_m, bezel_m, painter.width_m() - 2 * bezel_m,
-                                 painter.height_m() - 2 * bezel_m);
+// A desktop of the main colour with windows, symbols and a task bar.
+void PaintScreen(Painter& desktop, const Bgr& colour) {
   const double w_m = desktop.width_m(), h_m = desktop.height_m();
   PaintLandscape(desktop, colour);
   for (int i = 0; i < 6; ++i) {

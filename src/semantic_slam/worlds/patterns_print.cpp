@@ -9,6 +9,12 @@
 namespace semantic_slam {
 namespace {
 
+// A quarter of the books have the main colour.
+Bgr BookCloth(Painter& painter, const Bgr& colour) {
+  if (painter.Chance(0.25)) return painter.Near(colour, 30);
+  return Hsv(painter.Uniform(0, 1), painter.Uniform(0.1, 0.85), painter.Uniform(0.2, 0.9));
+}
+
 void PaintSpine(Painter& spine, const Bgr& cloth) {
   const double w_m = spine.width_m(), h_m = spine.height_m();
   spine.Fill(cloth);
@@ -19,13 +25,14 @@ void PaintSpine(Painter& spine, const Bgr& cloth) {
     spine.Rectangle(0, 0.06 * h_m, w_m, tall_m, band);
     spine.Rectangle(0, 0.9 * h_m - tall_m, w_m, tall_m, band);
   }
+  Bgr behind = cloth;
   if (spine.Chance(0.35)) {  // a label
-    spine.Rectangle(0.08 * w_m, 0.2 * h_m, 0.84 * w_m, 0.45 * h_m,
-                    Mix(cloth, Bgr(215, 230, 235), 0.85));
+    behind = Mix(cloth, Bgr(215, 230, 235), 0.85);
+    spine.Rectangle(0.08 * w_m, 0.18 * h_m, 0.84 * w_m, 0.54 * h_m, behind);
   }
   const std::string title = Words(spine, spine.Integer(1, 3));
-  const double letter_m = LetterToFit(spine, title, 0.6 * h_m, std::min(0.5 * w_m, 0.014));
-  spine.Text((w_m - letter_m) / 2, 0.22 * h_m, letter_m, title, InkOn(cloth), true);
+  const double letter_m = LetterToFit(spine, title, 0.48 * h_m, std::min(0.5 * w_m, 0.014));
+  spine.Text((w_m - letter_m) / 2, 0.21 * h_m, letter_m, title, InkOn(behind), true);
   spine.Disc({w_m / 2, 0.8 * h_m}, 0.22 * w_m, ink);
   // Backs are round.
   for (const double x_m : {0.0, w_m - 0.0015}) spine.Rectangle(x_m, 0, 0.0015, h_m, cloth * 0.45);
@@ -35,21 +42,39 @@ void PaintSpine(Painter& spine, const Bgr& cloth) {
 void PaintBookRow(Painter& row, const Bgr& colour) {
   const double h_m = row.height_m();
   row.Fill(colour * 0.22);
-  const double tallest_m = std::min(0.97 * h_m, 0.32);
-  double usual_m = row.Uniform(0.7, 0.95);
+  double usual = row.Uniform(0.88, 1.0);
   for (double x_m = 0.0; x_m < row.width_m();) {
-    if (row.Chance(0.15)) usual_m = row.Uniform(0.68, 0.95);  // the next series
+    if (row.Chance(0.15)) usual = row.Uniform(0.88, 1.0);  // the next series
     const double thick_m = row.Uniform(0.014, 0.048);
-    const double tall_m = tallest_m * std::min(1.0, usual_m + row.Uniform(-0.05, 0.05));
-    const Bgr any = Hsv(row.Uniform(0, 1), row.Uniform(0.1, 0.85), row.Uniform(0.2, 0.9));
+    const double tall_m = h_m * std::min(1.0, usual + row.Uniform(-0.04, 0.04));
     Painter spine = row.Part(x_m, h_m - tall_m, thick_m, tall_m);
-    PaintSpine(spine, row.Chance(0.25) ? row.Near(colour, 30) : any);
+    PaintSpine(spine, BookCloth(row, colour));
     x_m += thick_m + (row.Chance(0.06) ? row.Uniform(0.01, 0.04) : 0.0008);
   }
 }
 
-// Rows of books; shelves of the main colour between them if there is more than one row.
+// One above the other.
+void PaintLyingBooks(Painter& painter, const Bgr& colour) {
+  const int books = std::max(1, cvRound(painter.height_m() / 0.028));
+  const double thick_m = painter.height_m() / books;
+  painter.Fill(colour * 0.22);
+  for (int i = 0; i < books; ++i) {
+    const double w_m = painter.width_m() * (i + 1 == books ? 1.0 : painter.Uniform(0.85, 1.0));
+    Painter spine = painter.Part(0, i * thick_m, w_m, thick_m);
+    const Bgr cloth = BookCloth(painter, colour), ink = InkOn(cloth);
+    spine.Fill(cloth);
+    for (const double at : {0.05, 0.93}) spine.Rectangle(at * w_m, 0, 0.02 * w_m, thick_m, ink);
+    const std::string title = Words(spine, 2);
+    const double letter_m = LetterToFit(spine, title, 0.7 * w_m, 0.5 * thick_m);
+    spine.Text(0.12 * w_m, 0.5 * (thick_m + letter_m), letter_m, title, ink);
+    spine.Rectangle(0, thick_m - 0.002, w_m, 0.002, cloth * 0.4);
+  }
+}
+
+// A row of books, or several with shelves of the main colour between them; lying ones where there
+// is no room to stand.
 void PaintBooks(Painter& painter, const Bgr& colour) {
+  if (painter.height_m() < 0.13) return PaintLyingBooks(painter, colour);
   const int rows = std::max(1, cvRound(painter.height_m() / 0.33));
   const double step_m = painter.height_m() / rows, shelf_m = rows > 1 ? 0.022 : 0.0;
   painter.Fill(colour);
@@ -198,7 +223,7 @@ void PaintGraph(Painter& painter, const std::vector<Bgr>& inks) {
   }
 }
 
-// A board of the main colour with notes, diagrams and a graph, in an aluminium frame.
+// A board of the main colour with notes, diagrams and graphs.
 void PaintWhiteboard(Painter& painter, const Bgr& colour) {
   const double w_m = painter.width_m(), h_m = painter.height_m();
   const std::vector<Bgr> inks{{120, 50, 30}, {40, 40, 40}, {40, 40, 190}, {60, 120, 30}};
@@ -219,8 +244,6 @@ void PaintWhiteboard(Painter& painter, const Bgr& colour) {
     painter.Disc({painter.Uniform(0.05, 0.95) * w_m, 0.06}, 0.012,
                  Hsv(painter.Uniform(0, 1), 0.8, 0.7));
   }
-  painter.Frame(0, 0, w_m, h_m, 0.02, Bgr(172, 170, 166));
-  painter.Frame(0.018, 0.018, w_m - 0.036, h_m - 0.036, 0.003, Bgr(120, 118, 115));
 }
 
 }  // namespace

@@ -30,34 +30,12 @@ void PaintPoster(Painter& painter, const Bgr& colour) {
   painter.AddNoise(0.004, 2);
 }
 
-// Oil on canvas in a frame of the main colour.
+// Oil on canvas, in the main colour's tone.
 void PaintPainting(Painter& painter, const Bgr& colour) {
-  const double w_m = painter.width_m(), h_m = painter.height_m();
-  const double frame_m = std::clamp(0.08 * std::min(w_m, h_m), 0.015, 0.06);
-  painter.Fill(colour);
-  painter.Frame(0, 0, w_m, h_m, 0.25 * frame_m, colour * 0.6);
-  painter.Frame(0.4 * frame_m, 0.4 * frame_m, w_m - 0.8 * frame_m, h_m - 0.8 * frame_m,
-                0.2 * frame_m, Mix(colour, Bgr::all(255), 0.4));
-  painter.AddNoise(0.004, 7);
-  Painter canvas = painter.Part(frame_m, frame_m, w_m - 2 * frame_m, h_m - 2 * frame_m);
-  PaintScene(canvas, Hsv(painter.Uniform(0.52, 0.61), painter.Uniform(0.2, 0.6), 0.85));
-  canvas.AddNoise(0.02, 0.004, 12);  // brush strokes
-  canvas.AddNoise(0.004, 0.015, 9);
-  canvas.Frame(0, 0, canvas.width_m(), canvas.height_m(), 0.15 * frame_m, Bgr::all(30));
-}
-
-// What is seen through a window of four panes; the main colour is the sky's.
-void PaintWindowView(Painter& painter, const Bgr& colour) {
-  PaintStreet(painter, colour);
-  const double w_m = painter.width_m(), h_m = painter.height_m();
-  const Bgr white(244, 246, 246);
-  painter.Frame(0, 0, w_m, h_m, 0.05, white);
-  for (double x_m = 0.05; x_m < w_m; x_m += (w_m - 0.05) / std::max(1, cvRound(w_m / 0.6))) {
-    painter.Rectangle(x_m - 0.05, 0, 0.05, h_m, white);
-    painter.Rectangle(x_m - 0.008, 0.05, 0.008, h_m - 0.1, white * 0.75);
-  }
-  painter.Rectangle(0.05, 0.35 * h_m, w_m - 0.1, 0.035, white);
-  painter.Rectangle(0.05, 0.35 * h_m + 0.035, w_m - 0.1, 0.006, white * 0.75);
+  const Bgr sky = Hsv(painter.Uniform(0.52, 0.61), painter.Uniform(0.2, 0.6), 0.85);
+  PaintScene(painter, Mix(sky, colour, 0.4));
+  painter.AddNoise(0.02, 0.004, 12);  // brush strokes
+  painter.AddNoise(0.004, 0.015, 9);
 }
 
 // A dim room, out of focus, with the main colour's cast.
@@ -70,8 +48,6 @@ void PaintMirror(Painter& painter, const Bgr& colour) {
   }
   painter.AddNoise(0.25, 12);
   painter.Blur(0.06);
-  painter.Frame(0, 0, w_m, h_m, 0.012, Mix(colour, Bgr::all(255), 0.5));
-  painter.Frame(0.012, 0.012, w_m - 0.024, h_m - 0.024, 0.003, colour * 0.6);
 }
 
 void PaintHand(Painter& painter, const cv::Point2d& centre_m, double angle, double length_m,
@@ -80,14 +56,13 @@ void PaintHand(Painter& painter, const cv::Point2d& centre_m, double angle, doub
   painter.Line({centre_m - 0.15 * length_m * along, centre_m + length_m * along}, width_m, ink);
 }
 
-// A round face with numerals in the middle of the main colour.
+// A dial of the main colour.
 void PaintClockFace(Painter& painter, const Bgr& colour) {
   const cv::Point2d centre_m(painter.width_m() / 2, painter.height_m() / 2);
-  const double r_m = 0.48 * std::min(painter.width_m(), painter.height_m());
-  painter.Fill(colour);
-  painter.Disc(centre_m, r_m, Bgr::all(45));
-  painter.Disc(centre_m, 0.92 * r_m, Bgr(238, 246, 248));
-  const Bgr ink = Bgr::all(20);
+  const double r_m = 0.5 * std::min(painter.width_m(), painter.height_m());
+  const Bgr ink = InkOn(colour);
+  painter.Fill(ink);
+  painter.Disc(centre_m, 0.97 * r_m, colour);
   for (int minute = 0; minute < 60; ++minute) {
     const double angle = 2 * CV_PI * minute / 60;
     const cv::Point2d out(std::sin(angle), -std::cos(angle));
@@ -132,7 +107,7 @@ void PaintNote(Painter& painter, double x_m, double y_m, double w_m, double h_m)
   painter.Disc({x_m + w_m / 2, y_m + 0.008}, 0.006, Hsv(painter.Uniform(0, 1), 0.9, 0.8));
 }
 
-// Granules; as a picture a board with notes in a wooden frame.
+// Granules; as a picture with notes pinned to them.
 void PaintCork(Painter& painter, const Bgr& colour) {
   PaintGranules(painter, colour);
   if (painter.wraps()) return;
@@ -145,8 +120,6 @@ void PaintCork(Painter& painter, const Bgr& colour) {
               (i / columns + painter.Uniform(0.05, 0.2)) * h_m / rows,
               std::min(note_w_m, 0.9 * w_m), std::min(note_h_m, 0.9 * h_m));
   }
-  painter.Frame(0, 0, w_m, h_m, 0.025, Bgr(80, 125, 165));
-  painter.Frame(0.021, 0.021, w_m - 0.042, h_m - 0.042, 0.004, Bgr(50, 80, 110));
 }
 
 }  // namespace
@@ -156,7 +129,7 @@ PatternTable WallPicturePatterns() {
   cork.extent = Pattern::Extent::kEither;
   return {{"poster", Picture(PaintPoster)},
           {"painting", Picture(PaintPainting)},
-          {"window_view", Picture(PaintWindowView)},
+          {"window_view", Picture(PaintStreet)},
           {"mirror", Picture(PaintMirror, 0.004)},
           {"clock_face", Picture(PaintClockFace, 0.001)},
           {"cork", cork}};
