@@ -28,5 +28,13 @@ TEST(LabelCheckTest, RefusesAnIdThatNobodyHas) {
             "objects: label id 8 is not in the vocabulary");
 }
 
+TEST(LabelCheckTest, FindsTheLabelsOfAList) {
+  const LabelVocabulary vocabulary = SmallVocabulary();
+  EXPECT_EQ(FindLabels("hidden", "lamp, wall,,", vocabulary), (std::vector<LabelId>{9, 1}));
+  EXPECT_TRUE(FindLabels("hidden", "", vocabulary).empty());
+  EXPECT_EQ(MessageOf<ConfigError>([&] { FindLabels("hidden", "wall,unicorn", vocabulary); }),
+            "hidden: 'unicorn' is not in the vocabulary");
+}
+
 }  // namespace
 }  // namespace semantic_slam

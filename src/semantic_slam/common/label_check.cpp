@@ -1,6 +1,6 @@
 #include "semantic_slam/common/label_check.h"
 
-#include <string>
+#include <sstream>
 
 #include "semantic_slam/common/error.h"
 
@@ -16,6 +16,21 @@ void CheckLabel(const char* who, LabelId label, const LabelVocabulary& vocabular
   if (vocabulary.Contains(label)) return;
   throw InputError(std::string(who) + ": label id " + std::to_string(label) +
                    " is not in the vocabulary");
+}
+
+std::vector<LabelId> FindLabels(const char* who, const std::string& names,
+                                const LabelVocabulary& vocabulary) {
+  std::vector<LabelId> labels;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');) {
+    const auto begin = name.find_first_not_of(' ');
+    if (begin == std::string::npos) continue;
+    name = name.substr(begin, name.find_last_not_of(' ') - begin + 1);
+    const auto label = vocabulary.Find(name);
+    if (!label) throw ConfigError(std::string(who) + ": '" + name + "' is not in the vocabulary");
+    labels.push_back(*label);
+  }
+  return labels;
 }
 
 }  // namespace semantic_slam

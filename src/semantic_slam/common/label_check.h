@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "semantic_slam/common/label_vocabulary.h"
 
-// What every message and file that carries label ids is asked. `who` begins the line of the
-// InputError: "detections", say.
+// What everything that speaks of labels is asked. `who` begins the line of the error: "detections",
+// say, or an option's name.
 
 namespace semantic_slam {
 
@@ -14,5 +16,10 @@ void CheckLabelSet(const char* who, std::uint64_t hash, const LabelVocabulary& v
 
 // Throws InputError if no class of the vocabulary has that id.
 void CheckLabel(const char* who, LabelId label, const LabelVocabulary& vocabulary);
+
+// The classes of a list of names with commas between them, as options have it. Throws ConfigError
+// if there is no class of a name.
+std::vector<LabelId> FindLabels(const char* who, const std::string& names,
+                                const LabelVocabulary& vocabulary);
 
 }  // namespace semantic_slam

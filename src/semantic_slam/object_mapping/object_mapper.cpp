@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 #include "semantic_slam/common/option_groups.h"
 #include "semantic_slam/detection/box_geometry.h"
 
@@ -15,17 +15,6 @@ namespace {
 
 constexpr double kJumpBackS = 1.0;
 constexpr std::size_t kMaxUnlistedPoses = 100;  // more, and it is worth looking which are in use
-
-std::vector<LabelId> ParseClasses(const std::string& names, const LabelVocabulary& vocabulary) {
-  std::vector<LabelId> labels;
-  std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) {
-    const auto label = vocabulary.Find(name);
-    if (!label) throw ConfigError("ignored_classes: there is no class '" + name + "'");
-    labels.push_back(*label);
-  }
-  return labels;
-}
 
 void CheckTracks(const ObjectTracks& tracks, const LabelVocabulary& vocabulary) {
   Detections detections{tracks.stamp, tracks.vocabulary_hash, tracks.image_size, {}};
@@ -39,7 +28,7 @@ ObjectMapper::ObjectMapper(const ObjectMappingOptions& options,
                            std::shared_ptr<const LabelVocabulary> vocabulary)
     : options_(ValidatedGroups(options)),
       vocabulary_(std::move(vocabulary)),
-      ignored_(ParseClasses(options.mapper.ignored_classes, *vocabulary_)) {}
+      ignored_(FindLabels("ignored_classes", options.mapper.ignored_classes, *vocabulary_)) {}
 
 void ObjectMapper::Reset() {
   objects_.clear();

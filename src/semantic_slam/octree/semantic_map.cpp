@@ -1,10 +1,10 @@
 #include "semantic_slam/octree/semantic_map.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/label_check.h"
 #include "semantic_slam/semantic_cloud/check_cloud.h"
 
 namespace semantic_slam {
@@ -14,15 +14,7 @@ constexpr std::size_t kMegabyte = 1 << 20;
 
 LabelMask MaskOf(const std::string& names, const LabelVocabulary& vocabulary) {
   LabelMask mask;
-  std::istringstream list(names);
-  for (std::string name; std::getline(list, name, ',');) {
-    const auto begin = name.find_first_not_of(' ');
-    if (begin == std::string::npos) continue;
-    name = name.substr(begin, name.find_last_not_of(' ') - begin + 1);
-    const auto label = vocabulary.Find(name);
-    if (!label) throw ConfigError("transient_classes: '" + name + "' is not in the vocabulary");
-    mask.set(*label);
-  }
+  for (const LabelId label : FindLabels("transient_classes", names, vocabulary)) mask.set(label);
   return mask;
 }
 
