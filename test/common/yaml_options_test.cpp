@@ -138,5 +138,20 @@ TEST(ReadOptionGroupsTest, FillsEveryGroupAndRefusesOthers) {
                     {"demo.yaml:1: unknown key branch/middle", "far, near"});
 }
 
+TEST_F(YamlOptionsTest, ReadsAListOfMappings) {
+  const std::string path = folder_.Write("list.yaml", "rooms:\n  - a: 1\n  - a: 2\nother: [1]\n");
+  YamlReader file(LoadYamlMap(path), path);
+  std::vector<YamlReader> rooms = file.Entries("rooms");
+  ASSERT_EQ(rooms.size(), 2u);
+  EXPECT_EQ(rooms[1].Require<int>("a"), 2);
+  EXPECT_TRUE(file.Entries("none").empty());
+  EXPECT_EQ(MessageOf<ConfigError>([&] { file.Entries("other"); }),
+            path + ":4: other/0 must be a mapping");
+  EXPECT_EQ(MessageOf<ConfigError>([&] { rooms[1].Require<int>("b"); }),
+            path + ": missing key rooms/1/b");
+  EXPECT_EQ(MessageOf<ConfigError>([&] { rooms[1].Complain("too small"); }),
+            path + ":3: rooms/1: too small");
+}
+
 }  // namespace
 }  // namespace semantic_slam

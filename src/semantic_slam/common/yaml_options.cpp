@@ -49,6 +49,24 @@ YamlReader YamlReader::Group(const std::string& key) {
   return YamlReader(Child(key), path_, FullName(key));
 }
 
+std::vector<YamlReader> YamlReader::Entries(const std::string& key) {
+  known_.insert(key);
+  const YAML::Node list = map_[key];
+  std::vector<YamlReader> readers;
+  if (!list || list.IsNull()) return readers;
+  if (!list.IsSequence()) Refuse(key, "a list");
+  for (const YAML::Node& entry : list) {
+    const std::string name = FullName(key) + "/" + std::to_string(readers.size());
+    if (!entry.IsMap()) throw ConfigError(At(path_, entry) + name + " must be a mapping");
+    readers.emplace_back(entry, path_, name);
+  }
+  return readers;
+}
+
+void YamlReader::Complain(const std::string& problem) const {
+  throw ConfigError(At(path_, map_) + (group_.empty() ? "" : group_ + ": ") + problem);
+}
+
 void YamlReader::Finish() const {
   std::set<std::string> seen;
   for (const auto& entry : map_) {

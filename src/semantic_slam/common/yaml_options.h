@@ -69,6 +69,13 @@ class YamlReader {
   // The sub-mapping `key`; an empty one if absent. Throws ConfigError if it is not a mapping.
   YamlReader Group(const std::string& key);
 
+  // Readers of the mappings in the list `key`, for messages "key/0" and so on; none if it is absent.
+  // Throws ConfigError if it is not a list of mappings.
+  std::vector<YamlReader> Entries(const std::string& key);
+
+  // Throws ConfigError "FILE:LINE: GROUP: PROBLEM" about the mapping as a whole.
+  [[noreturn]] void Complain(const std::string& problem) const;
+
   // Throws ConfigError if the mapping has a key that no call asked for, or one twice.
   void Finish() const;
 
