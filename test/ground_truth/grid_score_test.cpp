@@ -9,7 +9,7 @@
 namespace semantic_slam {
 namespace {
 
-const Rigid3d kSame = Rigid3d::Identity();
+const Rigid2d kSame = Rigid2d::Identity();
 
 OccupancyMap Truth() {
   return TrueFloorPlan(SmallWorld(), {});
@@ -82,10 +82,13 @@ TEST(GridScoreTest, WhatWasNotSeenDoesNotCount) {
 TEST(GridScoreTest, TheMapsPoseIsTakenOut) {
   OccupancyMap moved = Corridor(3);
   moved.origin_m << 5.0, 0.0;
-  EXPECT_EQ(ScoreGrid(Corridor(3), moved, At(-5.0, 0.0), Strict()).occupied_recall.share(), 1.0);
+  EXPECT_EQ(ScoreGrid(Corridor(3), moved, MakeRigid2d({-5.0, 0.0}, 0.0), Strict())
+                .occupied_recall.share(),
+            1.0);
   EXPECT_EQ(ScoreGrid(Corridor(3), moved, kSame, Strict()).occupied_recall.cells, 0u);
   // Turned by half a turn about the corridor's middle.
-  const GridScore turned = ScoreGrid(Corridor(3), Corridor(6), At(1.0, 0.3, M_PI), Strict());
+  const GridScore turned =
+      ScoreGrid(Corridor(3), Corridor(6), MakeRigid2d({1.0, 0.3}, M_PI), Strict());
   EXPECT_EQ(turned.occupied_precision.share(), 1.0);
 }
 

@@ -2,21 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "ground_truth/small_world.h"
+#include "ground_truth/small_run.h"
 #include "semantic_slam/common/error.h"
 #include "testing/small_room.h"
 
 namespace semantic_slam {
 namespace {
-
-// A camera that looks along a direction of the floor plan, level.
-StampedPose Looking(double seconds, const Eigen::Vector3d& position, double yaw_rad) {
-  Rigid3d T_level_camera = Rigid3d::Identity();
-  T_level_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return {Stamp::FromSeconds(seconds), Eigen::Translation3d(position) *
-                                           Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()) *
-                                           T_level_camera};
-}
 
 std::vector<int> Count(const World& world, const Trajectory& trajectory,
                        const VisibilityOptions& options = {}) {

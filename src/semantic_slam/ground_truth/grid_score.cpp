@@ -9,22 +9,6 @@
 namespace semantic_slam {
 namespace {
 
-// Yaw and shift of a transform between two frames whose z axes are up.
-struct PlanarTransform {
-  Eigen::Matrix2d R;
-  Eigen::Vector2d t;
-
-  explicit PlanarTransform(const Rigid3d& T)
-      : R(Eigen::Rotation2Dd(std::atan2(T(1, 0), T(0, 0)))), t(T.translation().head<2>()) {}
-  PlanarTransform Inverse() const {
-    PlanarTransform inverse = *this;
-    inverse.R = R.transpose();
-    inverse.t = -(R.transpose() * t);
-    return inverse;
-  }
-  Eigen::Vector2d operator*(const Eigen::Vector2d& p) const { return R * p + t; }
-};
-
 // The coordinates of a point in cells; the whole part is the cell.
 Eigen::Vector2d InCells(const OccupancyMap& map, const Eigen::Vector2d& point_m) {
   return (point_m - map.origin_m) / map.resolution_m;
@@ -33,13 +17,6 @@ Eigen::Vector2d InCells(const OccupancyMap& map, const Eigen::Vector2d& point_m)
 bool IsOn(const OccupancyMap& map, const Eigen::Vector2d& in_cells) {
   return in_cells.x() >= 0.0 && in_cells.y() >= 0.0 && in_cells.x() < map.width &&
          in_cells.y() < map.height;
-}
-
-std::int8_t PercentAt(const OccupancyMap& map, const Eigen::Vector2d& point_m) {
-  const Eigen::Vector2d cell = InCells(map, point_m);
-  if (!IsOn(map, cell)) return OccupancyMap::kUnknown;
-  return map
-      .cells[static_cast<std::size_t>(cell.y()) * map.width + static_cast<std::size_t>(cell.x())];
 }
 
 // Calls visit(point) for the middles of squares that fill the polygon.
@@ -117,17 +94,24 @@ CellKind Outlines(const OccupancyMap& map, const GridKinds& kinds,
 
 }  // namespace
 
+std::int8_t PercentAt(const OccupancyMap& map, const Eigen::Vector2d& point_m) {
+  const Eigen::Vector2d cell = InCells(map, point_m);
+  if (!IsOn(map, cell)) return OccupancyMap::kUnknown;
+  return map
+      .cells[static_cast<std::size_t>(cell.y()) * map.width + static_cast<std::size_t>(cell.x())];
+}
+
 double CellCount::share() const {
   return cells > 0 ? static_cast<double>(right) / static_cast<double>(cells) : 1.0;
 }
 
 GridScore ScoreGrid(const OccupancyMap& truth, const OccupancyMap& estimate,
-                    const Rigid3d& T_truth_estimate, const GridScoreOptions& options) {
+                    const Rigid2d& T_truth_estimate, const GridScoreOptions& options) {
   Validate(options);
   GridScore score;
   if (truth.cells.empty() || estimate.cells.empty()) return score;
   const GridKinds true_kinds(truth, options), estimated(estimate, options);
-  const PlanarTransform to_truth(T_truth_estimate), to_estimate = to_truth.Inverse();
+  const Rigid2d &to_truth = T_truth_estimate, to_estimate = T_truth_estimate.inverse();
   const auto count_precision = [&](const CellKind& kind, const CellKind& true_kind,
                                    CellCount& count) {
     kind.ForEach([&](const Eigen::Vector2d& centre) {
@@ -153,10 +137,10 @@ GridScore ScoreGrid(const OccupancyMap& truth, const OccupancyMap& estimate,
 }
 
 CellCount OccupiedArea(const std::vector<ConvexPolygon>& polygons_m, const OccupancyMap& estimate,
-                       const Rigid3d& T_truth_estimate, double spacing_m,
+                       const Rigid2d& T_truth_estimate, double spacing_m,
                        const GridScoreOptions& options) {
   Validate(options);
-  const PlanarTransform to_estimate = PlanarTransform(T_truth_estimate).Inverse();
+  const Rigid2d to_estimate = T_truth_estimate.inverse();
   CellCount count;
   for (const ConvexPolygon& polygon : polygons_m) {
     ForEachSample(polygon, spacing_m, [&](const Eigen::Vector2d& point) {

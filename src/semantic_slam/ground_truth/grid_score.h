@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "semantic_slam/common/options.h"
-#include "semantic_slam/common/transform.h"
+#include "semantic_slam/common/rigid2d.h"
 #include "semantic_slam/plane_projection/convex_polygon.h"
 #include "semantic_slam/submaps/occupancy_map.h"
 
@@ -40,16 +41,18 @@ struct GridScore {
   CellCount occupied_recall;     // the same of those truly occupied that border on free ones
 };
 
-// `estimate` lies at T_truth_estimate, of which what is seen from above counts. Throws ConfigError
-// if an option is out of range.
+// `estimate` lies at T_truth_estimate. Throws ConfigError if an option is out of range.
 GridScore ScoreGrid(const OccupancyMap& truth, const OccupancyMap& estimate,
-                    const Rigid3d& T_truth_estimate, const GridScoreOptions& options = {});
+                    const Rigid2d& T_truth_estimate, const GridScoreOptions& options = {});
 
 // Of the area of polygons in the frame of the truth, sampled every `spacing_m`: where the estimate
 // knows something or not, how much it calls occupied.
 CellCount OccupiedArea(const std::vector<ConvexPolygon>& polygons_m, const OccupancyMap& estimate,
-                       const Rigid3d& T_truth_estimate, double spacing_m,
+                       const Rigid2d& T_truth_estimate, double spacing_m,
                        const GridScoreOptions& options = {});
+
+// How occupied the cell at a point is; kUnknown outside of the map.
+std::int8_t PercentAt(const OccupancyMap& map, const Eigen::Vector2d& point_m);
 
 // Makes the cells whose centres are in the polygon occupied.
 void FillPolygon(const ConvexPolygon& polygon_m, OccupancyMap& map);

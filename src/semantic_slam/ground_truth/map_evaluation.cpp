@@ -7,23 +7,21 @@
 
 #include "semantic_slam/common/label_check.h"
 #include "semantic_slam/ground_truth/object_truth.h"
-#include "semantic_slam/object_mapping/object_mapper.h"
 
 namespace semantic_slam {
 namespace {
 
 constexpr double kAreaSampleM = 0.02;
 
-std::vector<bool> ClassesOfInterest(const std::string& names, const LabelVocabulary& vocabulary) {
-  std::vector<bool> is_of_interest(256, names.empty());
-  if (names.empty()) {
-    const std::string ignored = ObjectMapperOptions().ignored_classes;
-    for (const LabelId label : FindLabels("ignored_classes", ignored, vocabulary)) {
-      is_of_interest[label] = false;
-    }
-  }
-  for (const LabelId label : FindLabels("object_classes", names, vocabulary)) {
+// By label.
+std::vector<bool> ClassesOfInterest(const MapEvaluationOptions& options,
+                                    const LabelVocabulary& vocabulary) {
+  std::vector<bool> is_of_interest(256, options.object_classes.empty());
+  for (const LabelId label : FindLabels("object_classes", options.object_classes, vocabulary)) {
     is_of_interest[label] = true;
+  }
+  for (const LabelId label : FindLabels("ignored_classes", options.ignored_classes, vocabulary)) {
+    is_of_interest[label] = false;
   }
   return is_of_interest;
 }
@@ -41,7 +39,7 @@ class Evaluator {
       : vocabulary_(vocabulary),
         outputs_(outputs),
         options_(options),
-        is_of_interest_(ClassesOfInterest(options.object_classes, vocabulary)),
+        is_of_interest_(ClassesOfInterest(options, vocabulary)),
         surfaces_(world) {
     result_.trajectory = CompareTrajectories(T_world_camera, outputs.trajectory, {}, {});
     result_.T_world_map = result_.trajectory.T_reference_estimate;
@@ -57,12 +55,12 @@ class Evaluator {
     }
     if (outputs_.objects) ScoreObjectMap();
     if (outputs_.grid) {
-      result_.grid =
-          ScoreGrid(result_.flight_plan, *outputs_.grid, result_.T_world_map, options_.grid);
+      result_.grid = ScoreGrid(result_.flight_plan, *outputs_.grid, Flattened(result_.T_world_map),
+                               options_.grid);
     }
     if (outputs_.semantic_grid) {
       result_.semantic_grid = ScoreGrid(PlanWithObstacles(), *outputs_.semantic_grid,
-                                        result_.T_world_map, options_.grid);
+                                        Flattened(result_.T_world_map), options_.grid);
     }
     MeasureHollowArea();
     return std::move(result_);
@@ -123,12 +121,12 @@ class Evaluator {
       if (IsObstacle(object)) at_flight_height.push_back(object.footprint_m);
     }
     const auto area = [&](const std::vector<ConvexPolygon>& polygons, const OccupancyMap& map,
-                          const Rigid3d& T_world_grid) {
+                          const Rigid2d& T_world_grid) {
       return OccupiedArea(polygons, map, T_world_grid, kAreaSampleM, options_.grid);
     };
-    const Rigid3d& T = result_.T_world_map;
+    const Rigid2d T = Flattened(result_.T_world_map);
     HollowArea& hollow = result_.hollow;
-    if (outputs_.objects) hollow.in_objects = area(all, MappedFootprints(), Rigid3d::Identity());
+    if (outputs_.objects) hollow.in_objects = area(all, MappedFootprints(), Rigid2d::Identity());
     if (outputs_.grid) hollow.in_grid = area(at_flight_height, *outputs_.grid, T);
     if (outputs_.semantic_grid) {
       hollow.in_semantic_grid = area(at_flight_height, *outputs_.semantic_grid, T);

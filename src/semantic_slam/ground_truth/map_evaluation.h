@@ -14,15 +14,17 @@
 #include "semantic_slam/ground_truth/object_visibility.h"
 #include "semantic_slam/ground_truth/run_outputs.h"
 #include "semantic_slam/ground_truth/voxel_label_score.h"
+#include "semantic_slam/object_mapping/object_mapper.h"
 #include "semantic_slam/semantic_grid/semantic_costs.h"
 #include "semantic_slam/worlds/world.h"
 
 namespace semantic_slam {
 
 struct MapEvaluationOptions {
-  // Classes of objects that a map should hold, separated by commas; empty: all but those that
-  // object mapping ignores. Others are neither missed nor extra.
+  // Classes of objects that a map should hold, separated by commas; empty: all but the ignored
+  // ones. Those of others are neither missed nor extra.
   std::string object_classes;
+  std::string ignored_classes = ObjectMapperOptions().ignored_classes;
   int min_views = 3;           // poses that an object must be seen from, to be expected in the map
   double flight_band_m = 0.2;  // above and below the flight height: what a planar scan sees
   VisibilityOptions visibility;
@@ -33,6 +35,7 @@ struct MapEvaluationOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
     visit("object_classes", self.object_classes);
+    visit("ignored_classes", self.ignored_classes);
     visit("min_views", self.min_views, 1, 1000);
     visit("flight_band_m", self.flight_band_m, 0.01, 10.0);
   }
