@@ -247,8 +247,8 @@ Furniture Building::BuildWalls(const Room& room) const {
     std::vector<WallRectangle> holes = HolesIn(room, side);
     Append(skirting, SkirtingMesh(static_cast<float>(inner_m), holes), T_world_wall);
     // The walls along x fill the corners.
-    const double left_m = along == 0 ? HalfThickness(room, kSides[(index + 3) % 4]) : 0.0;
-    const double right_m = along == 0 ? HalfThickness(room, kSides[(index + 1) % 4]) : 0.0;
+    const double left_m = along == 0 ? HalfThickness(room, kSides[(index + 1) % 4]) : 0.0;
+    const double right_m = along == 0 ? HalfThickness(room, kSides[(index + 3) % 4]) : 0.0;
     for (WallRectangle& hole : holes) {
       hole.left_m += static_cast<float>(left_m);
       hole.right_m += static_cast<float>(left_m);

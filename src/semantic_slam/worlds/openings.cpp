@@ -23,13 +23,13 @@ void AddDoorFrame(FurnitureBuilder& b) {
   const float inner = opening - kJamb_m;
   const float lintel = b.height() - kCover_m - kJamb_m;
   for (const float side : {-1.0f, 1.0f}) {
-    const auto upright = [&](float rear, float front, float from, float to) {
-      b.Box("frame", {rear, std::min(side * from, side * to), 0},
-            {front, std::max(side * from, side * to), b.height()});
+    const auto upright = [&](float rear, float front, float edge, float top) {
+      b.Box("frame", {rear, std::min(side * inner, side * edge), 0},
+            {front, std::max(side * inner, side * edge), top});
     };
-    upright(-x + 0.015f, x - 0.015f, inner, opening);
-    upright(-x, -x + 0.015f, inner, outer);
-    upright(x - 0.015f, x, inner, outer);
+    upright(-x + 0.015f, x - 0.015f, opening, lintel + kJamb_m);
+    upright(-x, -x + 0.015f, outer, b.height());
+    upright(x - 0.015f, x, outer, b.height());
   }
   b.Box("frame", {-x + 0.015f, -inner, lintel}, {x - 0.015f, inner, lintel + kJamb_m});
   for (const float rear : {-x, x - 0.015f}) {

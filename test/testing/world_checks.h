@@ -1,0 +1,155 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "semantic_slam/worlds/world.h"
+
+namespace semantic_slam {
+
+// Distance from a point to a triangle (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+inline double DistanceToTriangle(const Eigen::Vector3d& p,
+                                 const std::array<Eigen::Vector3d, 3>& t) {
+  const Eigen::Vector3d ab = t[1] - t[0];
+  const Eigen::Vector3d ac = t[2] - t[0];
+  const auto to_edge = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& along) {
+    const double share = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (p - from - share * along).norm();
+  };
+  const Eigen::Vector3d normal = ab.cross(ac);
+  const bool inside = normal.dot(ab.cross(p - t[0])) >= 0 &&
+                      normal.dot((t[2] - t[1]).cross(p - t[1])) >= 0 &&
+                      normal.dot((-ac).cross(p - t[2])) >= 0;
+  if (inside && normal.norm() > 0) return std::abs(normal.normalized().dot(p - t[0]));
+  return std::min({to_edge(t[0], ab), to_edge(t[0], ac), to_edge(t[1], t[2] - t[1])});
+}
+
+// An object of a world at time 0 as bare triangles in the world frame.
+class Solid {
+ public:
+  explicit Solid(const WorldObject& object) : object_(&object) {
+    for (const Surface& surface : object.surfaces) {
+      for (const Eigen::Vector3i& t : surface.mesh.triangles) {
+        std::array<Eigen::Vector3d, 3> triangle;
+        for (int i = 0; i < 3; ++i) {
+          triangle[i] = object.Pose(0) * surface.mesh.positions_m[t[i]].cast<double>();
+          bounds_.extend(triangle[i]);
+        }
+        triangles_.push_back(triangle);
+      }
+    }
+  }
+
+  const WorldObject& object() const { return *object_; }
+  const Eigen::AlignedBox3d& bounds() const { return bounds_; }
+
+  // At most `limit`.
+  double Distance(const Eigen::Vector3d& p, double limit) const {
+    if (bounds_.exteriorDistance(p) >= limit) return limit;
+    for (const auto& triangle : triangles_) {
+      limit = std::min(limit, DistanceToTriangle(p, triangle));
+    }
+    return limit;
+  }
+
+  // By what an upright ray crosses above the point: solids that overlap count together.
+  bool Contains(const Eigen::Vector3d& p) const {
+    if (!bounds_.contains(p)) return false;
+    int crossings = 0;
+    for (const auto& triangle : triangles_) {
+      const auto [height, faces_up] = HeightOf(triangle, p.head<2>());
+      if (height > p.z()) crossings += faces_up ? 1 : -1;
+    }
+    return crossings > 0;
+  }
+
+  // The highest surface that faces up at or below the point; far below if there is none.
+  double TopBelow(const Eigen::Vector3d& p) const {
+    double top = -1e9;
+    if ((p.head<2>().array() < bounds_.min().head<2>().array()).any() ||
+        (p.head<2>().array() > bounds_.max().head<2>().array()).any()) {
+      return top;
+    }
+    for (const auto& triangle : triangles_) {
+      const auto [height, faces_up] = HeightOf(triangle, p.head<2>());
+      if (faces_up && height <= p.z()) top = std::max(top, height);
+    }
+    return top;
+  }
+
+  // Points on all of its surface, at most `spacing_m` apart.
+  std::vector<Eigen::Vector3d> Points(double spacing_m) const {
+    std::vector<Eigen::Vector3d> points;
+    for (const auto& t : triangles_) {
+      const double edge_m =
+          std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+      const int steps = std::max(1, static_cast<int>(std::ceil(edge_m / spacing_m)));
+      for (int i = 0; i <= steps; ++i) {
+        for (int j = 0; i + j <= steps; ++j) {
+          points.push_back(t[0] + (t[1] - t[0]) * i / steps + (t[2] - t[0]) * j / steps);
+        }
+      }
+    }
+    return points;
+  }
+
+ private:
+  // Height of a triangle at a place of the plan, -1e9 beside it, and whether it faces up.
+  static std::pair<double, bool> HeightOf(const std::array<Eigen::Vector3d, 3>& t,
+                                          const Eigen::Vector2d& at) {
+    const Eigen::Vector2d ab = (t[1] - t[0]).head<2>();
+    const Eigen::Vector2d ac = (t[2] - t[0]).head<2>();
+    const Eigen::Vector2d ap = at - t[0].head<2>();
+    const double area = ab.x() * ac.y() - ab.y() * ac.x();
+    if (std::abs(area) < 1e-12) return {-1e9, false};
+    const double b = (ap.x() * ac.y() - ap.y() * ac.x()) / area;
+    const double c = (ab.x() * ap.y() - ab.y() * ap.x()) / area;
+    if (b < 0 || c < 0 || b + c > 1) return {-1e9, false};
+    return {t[0].z() + b * (t[1] - t[0]).z() + c * (t[2] - t[0]).z(), area > 0};
+  }
+
+  const WorldObject* object_;
+  std::vector<std::array<Eigen::Vector3d, 3>> triangles_;
+  Eigen::AlignedBox3d bounds_;
+};
+
+// All that stands still.
+inline std::vector<Solid> StillSolids(const World& world) {
+  std::vector<Solid> solids;
+  for (const WorldObject& object : world.objects) {
+    if (!object.IsMoving()) solids.emplace_back(object);
+  }
+  return solids;
+}
+
+// True if the object lies on another, or touches a wall or a ceiling.
+inline bool IsHeld(const Solid& solid, const std::vector<Solid>& all) {
+  constexpr double kNear_m = 0.015;
+  for (const Eigen::Vector3d& p : solid.Points(0.1)) {
+    for (const Solid& other : all) {
+      if (&other == &solid || other.bounds().exteriorDistance(p) > kNear_m) continue;
+      const Eigen::Vector3d above = p + Eigen::Vector3d(0, 0, kNear_m);
+      if (std::abs(other.TopBelow(above) - p.z()) < kNear_m) return true;
+      if (other.object().is_structure && other.Distance(p, 2 * kNear_m) < kNear_m) return true;
+    }
+  }
+  return false;
+}
+
+// Where a surface of `a` lies deeper in `b` than `depth_m`; nullopt if nowhere.
+inline std::optional<Eigen::Vector3d> DeepInside(const Solid& a, const Solid& b, double depth_m) {
+  if (!a.bounds().intersects(b.bounds())) return std::nullopt;
+  for (Eigen::Vector3d p : a.Points(0.08)) {
+    p += Eigen::Vector3d(1.1e-5, 0.7e-5, 0);  // off the edges between triangles
+    if (b.Contains(p) && b.Distance(p, 2 * depth_m) > depth_m) return p;
+  }
+  return std::nullopt;
+}
+
+}  // namespace semantic_slam
