@@ -62,7 +62,9 @@ void OctomapPublisher::Collect(const semantic_slam::SemanticMapper& mapper) {
 }
 
 void OctomapPublisher::Send() {
-  if (markers_pub_.getNumSubscribers() > 0) markers_pub_.publish(ToMarkers(cells_, header_));
+  if (markers_pub_.getNumSubscribers() > 0) {
+    markers_pub_.publish(ToMarkers(cells_, header_, options_.markers_max_z_m));
+  }
   if (cells_pub_.getNumSubscribers() > 0) cells_pub_.publish(ToPointCloud2(cells_, header_));
   std::vector<semantic_slam::LabelId> labels = LabelsIn(cells_);
   if (labels == legend_) return;

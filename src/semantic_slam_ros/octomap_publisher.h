@@ -19,6 +19,7 @@ struct OctomapPublisherOptions {
   std::string colour_mode = "class";  // class, rgb or height
   double low_z_m = 0.0;               // with height: blue at and below
   double high_z_m = 2.5;              // with height: red at and above
+  double markers_max_z_m = 1000.0;    // cells above are not shown: look below the ceiling
   double publish_period_s = 1.0;      // between two publications of the map, of the wall's clock
 
   template <typename Self, typename Visitor>
@@ -27,6 +28,7 @@ struct OctomapPublisherOptions {
     visit("colour_mode", self.colour_mode);
     visit("low_z_m", self.low_z_m, -1000.0, 1000.0);
     visit("high_z_m", self.high_z_m, -1000.0, 1000.0);
+    visit("markers_max_z_m", self.markers_max_z_m, -1000.0, 1000.0);
     visit("publish_period_s", self.publish_period_s, 0.05, 3600.0);
   }
 };

@@ -20,7 +20,9 @@ using visualization_msgs::MarkerArray;
 
 namespace {
 
-constexpr double kLegendRowM = 0.2;
+constexpr double kLegendRowM = 0.4;
+constexpr double kLegendColumnM = 1.2;
+constexpr int kLegendRows = 10;  // of a column
 constexpr double kLegendSwatchM = 0.12;
 constexpr double kLegendTextM = 0.14;
 constexpr double kLegendGapM = 0.5;  // from the cells
@@ -76,6 +78,12 @@ Eigen::Vector3f LegendCorner(const OccupiedCells& cells) {
   return {low.x() - static_cast<float>(kLegendGapM), high.y(), high.z()};
 }
 
+// How far to the right of it and below it an entry stands: column by column.
+Eigen::Vector3f LegendOffset(int entry) {
+  return {0.0f, static_cast<float>(kLegendColumnM * (entry / kLegendRows)),
+          static_cast<float>(kLegendRowM * (entry % kLegendRows))};
+}
+
 }  // namespace
 
 OccupiedCells CollectOccupiedCells(const SemanticOcTree& tree,
@@ -97,13 +105,14 @@ OccupiedCells CollectOccupiedCells(const SemanticOcTree& tree,
   return occupied;
 }
 
-MarkerArray ToMarkers(const OccupiedCells& cells, const std_msgs::Header& header) {
+MarkerArray ToMarkers(const OccupiedCells& cells, const std_msgs::Header& header, double max_z_m) {
   MarkerArray array;
   for (std::size_t depth = 0; depth < cells.size_at_depth_m.size(); ++depth) {
     array.markers.push_back(MakeMarker(header, "map", static_cast<int>(depth), Marker::CUBE_LIST,
                                        cells.size_at_depth_m[depth]));
   }
   for (const auto& cell : cells.cells) {
+    if (cell.centre.z() > max_z_m) continue;
     Marker& marker = array.markers[cell.depth];
     marker.points.push_back(ToPoint(cell.centre));
     marker.colors.push_back(ToColour(cell.rgb));
@@ -165,22 +174,23 @@ MarkerArray ToLegend(const OccupiedCells& cells, const semantic_slam::LabelVocab
   Marker clear = MakeMarker(header, "legend", 0, Marker::CUBE, 1.0);
   clear.action = Marker::DELETEALL;
   array.markers.push_back(clear);
-  Eigen::Vector3f place = LegendCorner(cells);
+  const Eigen::Vector3f corner = LegendCorner(cells);
+  int entry = 0;
   for (const LabelId id : LabelsIn(cells)) {
     if (!vocabulary.Contains(id)) continue;
     const LabelClass& label = vocabulary[id];
+    const Eigen::Vector3f place = corner - LegendOffset(entry++);
     Marker swatch = MakeMarker(header, "legend_colours", id, Marker::CUBE, kLegendSwatchM);
     swatch.pose.position = ToPoint(place);
     swatch.color = ToColour(label.rgb);
     Marker text = MakeMarker(header, "legend_names", id, Marker::TEXT_VIEW_FACING, kLegendTextM);
     // Above its cube, as the text turns with the view and may stand on any side.
     text.pose.position =
-        ToPoint(place + Eigen::Vector3f(0.0f, 0.0f, 0.5f * static_cast<float>(kLegendRowM)));
+        ToPoint(place + Eigen::Vector3f(0.0f, 0.0f, 0.25f * static_cast<float>(kLegendRowM)));
     text.color = ToColour({255, 255, 255});
     text.text = label.name;
     array.markers.push_back(swatch);
     array.markers.push_back(text);
-    place.z() -= static_cast<float>(2.0 * kLegendRowM);
   }
   return array;
 }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
 #include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
+#include <Eigen/Core>
 
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/octree/semantic_octree.h"
@@ -34,9 +34,9 @@ OccupiedCells CollectOccupiedCells(const semantic_slam::SemanticOcTree& tree,
                                    const semantic_slam::VoxelColours& colours);
 
 // One CUBE_LIST per depth of the tree, as octomap_server has them: where a depth has no cell, a
-// marker that deletes what was there.
+// marker that deletes what was there. Cells whose centre is above `max_z_m` are left out.
 visualization_msgs::MarkerArray ToMarkers(const OccupiedCells& cells,
-                                          const std_msgs::Header& header);
+                                          const std_msgs::Header& header, double max_z_m);
 
 // One point per cell: x y z (float32) [m], rgb (float32, PCL's packing), label (uint8), probability
 // and size (float32) [m].
@@ -45,7 +45,7 @@ sensor_msgs::PointCloud2 ToPointCloud2(const OccupiedCells& cells, const std_msg
 // The classes that some cell has, by ascending id.
 std::vector<semantic_slam::LabelId> LabelsIn(const OccupiedCells& cells);
 
-// A cube in the colour of each class with its name beside it, one below the other, standing at the
+// A cube in the colour of each class with its name beside it, in columns of ten, standing at the
 // edge of the cells. What an earlier legend had more of is deleted.
 visualization_msgs::MarkerArray ToLegend(const OccupiedCells& cells,
                                          const semantic_slam::LabelVocabulary& vocabulary,

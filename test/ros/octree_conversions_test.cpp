@@ -17,6 +17,7 @@ using semantic_slam::VoxelColours;
 using visualization_msgs::Marker;
 
 constexpr semantic_slam::LabelId kChair = 5, kTable = 7;
+constexpr double kNoLimit = 1e9;
 
 class OctreeConversionsTest : public testing::Test {
  protected:
@@ -50,7 +51,7 @@ TEST_F(OctreeConversionsTest, CollectsTheOccupiedLeaves) {
 }
 
 TEST_F(OctreeConversionsTest, MarkersAreCubesOfEachSize) {
-  const auto array = ToMarkers(cells_, header_);
+  const auto array = ToMarkers(cells_, header_, kNoLimit);
   ASSERT_EQ(array.markers.size(), 17u);
   for (int depth = 0; depth <= 16; ++depth) {
     const Marker& marker = array.markers[depth];
@@ -92,11 +93,35 @@ TEST_F(OctreeConversionsTest, TheLegendNamesTheClassesInTheirColours) {
   EXPECT_LT(array.markers[3].pose.position.z, array.markers[1].pose.position.z);
 }
 
+TEST_F(OctreeConversionsTest, MarkersEndAtAHeight) {
+  // The block's centre is 0.1 m high, the single voxel's 0.05 m.
+  const auto array = ToMarkers(cells_, header_, 0.07);
+  EXPECT_EQ(array.markers[16].action, Marker::ADD);
+  EXPECT_EQ(array.markers[15].action, Marker::DELETE);
+}
+
+TEST_F(OctreeConversionsTest, ALongLegendGoesOnBesideItself) {
+  OccupiedCells many = cells_;
+  many.cells.clear();
+  std::vector<semantic_slam::LabelClass> classes = vocabulary_->classes();
+  for (int i = 0; i < 12; ++i) {
+    const auto id = static_cast<semantic_slam::LabelId>(100 + i);
+    classes.push_back({id, "class" + std::to_string(i), {0, 0, 0}});
+    many.cells.push_back({{0, 0, 0}, 16, {0, 0, 0}, id, 1.0f});
+  }
+  const auto array = ToLegend(many, LabelVocabulary(classes), header_);
+  ASSERT_EQ(array.markers.size(), 25u);
+  const auto place = [&](int i) { return array.markers[1 + 2 * i].pose.position; };
+  EXPECT_LT(place(9).z, place(0).z - 3.0);
+  EXPECT_DOUBLE_EQ(place(10).z, place(0).z);
+  EXPECT_LT(place(10).y, place(9).y - 0.5);
+}
+
 TEST_F(OctreeConversionsTest, AnEmptyTreeShowsNothing) {
   const SemanticOcTree empty(0.1);
   const OccupiedCells nothing =
       CollectOccupiedCells(empty, VoxelColours(ColourMode::kRgb, *vocabulary_));
-  for (const Marker& marker : ToMarkers(nothing, header_).markers)
+  for (const Marker& marker : ToMarkers(nothing, header_, kNoLimit).markers)
     EXPECT_EQ(marker.action, Marker::DELETE);
   EXPECT_EQ(ToPointCloud2(nothing, header_).width, 0u);
   EXPECT_EQ(ToLegend(nothing, *vocabulary_, header_).markers.size(), 1u);
