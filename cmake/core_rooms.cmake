@@ -46,7 +46,8 @@ function(semantic_slam_testing_library)
   endif()
   add_library(semantic_slam_testing STATIC ${sources})
   target_include_directories(semantic_slam_testing PUBLIC test)
-  target_link_libraries(semantic_slam_testing PUBLIC semantic_slam_localization)
+  target_link_libraries(semantic_slam_testing PUBLIC semantic_slam_localization
+                        semantic_slam_worlds)
   semantic_slam_compile_options(semantic_slam_testing)
 endfunction()
 

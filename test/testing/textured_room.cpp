@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "semantic_slam/common/random_stream.h"
+
 namespace semantic_slam {
 namespace {
 
@@ -18,14 +20,6 @@ constexpr float kDepthNoisePerM2 = 1.425e-3f;
 constexpr float kColourNoise = 2.0f;
 constexpr double kRoomTexelM = 0.003;
 constexpr double kBoxTexelM = 0.0015;
-
-// A well-mixed hash (splitmix64): noise that depends on where, not on the order of drawing.
-std::uint64_t Mixed(std::uint64_t x) {
-  x += 0x9E3779B97F4A7C15u;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-  return x ^ (x >> 31);
-}
 
 // Mean 0, standard deviation 1: the sum of four uniform numbers is near enough to a normal one.
 float Normal(std::uint64_t bits) {
@@ -96,33 +90,33 @@ struct Slabs {
 
 TexturedRoom::TexturedRoom(const TexturedRoomOptions& options)
     : options_(options), camera_(options.intrinsics) {
-  AddBox({0.0, 0.0, kHeightM / 2}, {kLengthM, kWidthM, kHeightM}, 0.0, Material::kWallpaper);
+  AddBox({0.0, 0.0, kHeightM / 2}, {kLengthM, kWidthM, kHeightM}, 0.0, FaceStuff::kWallpaper);
   // The desk: a top and four legs.
-  AddBox({1.75, 0.0, 0.72}, {0.9, 2.0, 0.05}, 0.0, Material::kWood);
+  AddBox({1.75, 0.0, 0.72}, {0.9, 2.0, 0.05}, 0.0, FaceStuff::kWood);
   for (const double x_m : {1.38, 2.12}) {
     for (const double y_m : {-0.93, 0.93}) {
-      AddBox({x_m, y_m, 0.3475}, {0.07, 0.07, 0.695}, 0.0, Material::kWood);
+      AddBox({x_m, y_m, 0.3475}, {0.07, 0.07, 0.695}, 0.0, FaceStuff::kWood);
     }
   }
   // On the desk, whose top is at 0.745 m: two screens, a box, books, a mug.
-  AddBox({2.05, 0.45, 1.005}, {0.06, 0.62, 0.40}, 0.15, Material::kPackaging);
-  AddBox({2.02, 0.45, 0.775}, {0.22, 0.28, 0.06}, 0.15, Material::kPackaging);
-  AddBox({2.05, -0.30, 1.005}, {0.06, 0.62, 0.40}, -0.2, Material::kPackaging);
-  AddBox({2.02, -0.30, 0.775}, {0.22, 0.28, 0.06}, -0.2, Material::kPackaging);
-  AddBox({1.62, -0.70, 0.865}, {0.30, 0.24, 0.24}, 0.5, Material::kPackaging);
-  AddBox({1.55, 0.72, 0.770}, {0.24, 0.32, 0.05}, -0.3, Material::kPackaging);
-  AddBox({1.56, 0.71, 0.815}, {0.20, 0.27, 0.04}, 0.2, Material::kPackaging);
-  AddBox({1.48, 0.22, 0.795}, {0.08, 0.08, 0.10}, 0.7, Material::kPackaging);
-  AddBox({1.60, -0.15, 0.757}, {0.16, 0.44, 0.024}, 0.05, Material::kPackaging);
+  AddBox({2.05, 0.45, 1.005}, {0.06, 0.62, 0.40}, 0.15, FaceStuff::kPackaging);
+  AddBox({2.02, 0.45, 0.775}, {0.22, 0.28, 0.06}, 0.15, FaceStuff::kPackaging);
+  AddBox({2.05, -0.30, 1.005}, {0.06, 0.62, 0.40}, -0.2, FaceStuff::kPackaging);
+  AddBox({2.02, -0.30, 0.775}, {0.22, 0.28, 0.06}, -0.2, FaceStuff::kPackaging);
+  AddBox({1.62, -0.70, 0.865}, {0.30, 0.24, 0.24}, 0.5, FaceStuff::kPackaging);
+  AddBox({1.55, 0.72, 0.770}, {0.24, 0.32, 0.05}, -0.3, FaceStuff::kPackaging);
+  AddBox({1.56, 0.71, 0.815}, {0.20, 0.27, 0.04}, 0.2, FaceStuff::kPackaging);
+  AddBox({1.48, 0.22, 0.795}, {0.08, 0.08, 0.10}, 0.7, FaceStuff::kPackaging);
+  AddBox({1.60, -0.15, 0.757}, {0.16, 0.44, 0.024}, 0.05, FaceStuff::kPackaging);
   // Around it: a chest of drawers, a crate, a chair without a back.
-  AddBox({1.9, -1.6, 0.5}, {0.8, 0.5, 1.0}, 0.1, Material::kWood);
-  AddBox({1.6, 1.55, 0.3}, {0.6, 0.6, 0.6}, 0.4, Material::kPackaging);
-  AddBox({0.85, 0.35, 0.23}, {0.42, 0.42, 0.46}, -0.5, Material::kPackaging);
-  AddBox({-2.0, 1.2, 0.9}, {0.5, 1.0, 1.8}, 0.0, Material::kWood);
+  AddBox({1.9, -1.6, 0.5}, {0.8, 0.5, 1.0}, 0.1, FaceStuff::kWood);
+  AddBox({1.6, 1.55, 0.3}, {0.6, 0.6, 0.6}, 0.4, FaceStuff::kPackaging);
+  AddBox({0.85, 0.35, 0.23}, {0.42, 0.42, 0.46}, -0.5, FaceStuff::kPackaging);
+  AddBox({-2.0, 1.2, 0.9}, {0.5, 1.0, 1.8}, 0.0, FaceStuff::kWood);
 }
 
 void TexturedRoom::AddBox(const Eigen::Vector3d& centre_m, const Eigen::Vector3d& size_m,
-                          double yaw_rad, Material material) {
+                          double yaw_rad, FaceStuff stuff) {
   const bool is_room = boxes_.empty();
   Box box;
   box.T_world_box =
@@ -133,12 +127,12 @@ void TexturedRoom::AddBox(const Eigen::Vector3d& centre_m, const Eigen::Vector3d
     // Across and down the picture: vertical faces have z downwards.
     const double across_m = axis == 0 ? size_m.y() : size_m.x();
     const double down_m = axis == 2 ? size_m.y() : size_m.z();
-    Material face_material = material;
-    if (is_room && face == 4) face_material = Material::kParquet;
-    if (is_room && face == 5) face_material = Material::kCeiling;
+    FaceStuff face_stuff = stuff;
+    if (is_room && face == 4) face_stuff = FaceStuff::kParquet;
+    if (is_room && face == 5) face_stuff = FaceStuff::kCeiling;
     const std::uint64_t seed = Mixed(options_.seed * 1000 + 6 * boxes_.size() + face);
-    box.faces.emplace_back(face_material, across_m, down_m, is_room ? kRoomTexelM : kBoxTexelM,
-                           seed);
+    box.faces.push_back(
+        PaintFace(face_stuff, across_m, down_m, is_room ? kRoomTexelM : kBoxTexelM, seed));
   }
   boxes_.push_back(std::move(box));
 }

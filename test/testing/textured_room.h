@@ -46,13 +46,13 @@ class TexturedRoom {
   struct Box {
     Rigid3d T_world_box;
     Eigen::Vector3f half_m;
-    std::vector<ProceduralTexture> faces;  // -x +x -y +y -z +z
+    std::vector<Texture> faces;  // -x +x -y +y -z +z
   };
   struct View;  // a box as one camera sees it
   struct Hit;
 
   void AddBox(const Eigen::Vector3d& centre_m, const Eigen::Vector3d& size_m, double yaw_rad,
-              Material material);
+              FaceStuff stuff);
   std::vector<View> ViewsFrom(const Rigid3d& T_world_camera) const;
   static Hit Cast(const std::vector<View>& views, const Eigen::Vector3f& ray_camera);
   cv::Vec3f Shade(const Hit& hit, const Eigen::Vector3f& ray_camera) const;

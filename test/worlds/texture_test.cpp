@@ -172,6 +172,14 @@ TEST(TextureTest, PictureIsNotSquashedInSmallerCopies) {
   ExpectNear(seen, {float(mean[0]), float(mean[1]), float(mean[2])}, 25.0);
 }
 
+TEST(TextureTest, TakesAPictureOfOnesOwn) {
+  const cv::Mat3b image = (cv::Mat3b(1, 2) << cv::Vec3b(0, 0, 0), cv::Vec3b(200, 100, 50));
+  const Texture texture(image, {0.2f, 0.1f});
+  EXPECT_FLOAT_EQ(texture.texel_m(), 0.1f);
+  ExpectNear(texture.Sample(0.15f, 0.05f, 0.0f), {200, 100, 50}, 0.0);
+  ExpectNear(texture.Sample(0.10f, 0.05f, 0.0f), {100, 50, 25}, 0.001);
+}
+
 TEST(TextureTest, PatternNamesAreSorted) {
   const std::vector<std::string> names = PatternNames();
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));

@@ -1,6 +1,7 @@
 #include "semantic_slam/worlds/texture.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 
 #include <opencv2/imgproc.hpp>
@@ -44,6 +45,10 @@ std::uint64_t SeedOf(const Material& material) {
   return seed;
 }
 
+cv::Vec2f TexelsPerMetre(const cv::Mat& image, const Eigen::Vector2f& size_m) {
+  return {static_cast<float>(image.cols) / size_m.x(), static_cast<float>(image.rows) / size_m.y()};
+}
+
 // Of four neighbours, `right` and `down` of the way from the first.
 cv::Vec3f Blend(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c,
                 const std::uint8_t* d, float right, float down) {
@@ -77,24 +82,31 @@ Texture::Texture(const Material& material) {
   repeats_ = !IsPicture(material, pattern);
   cv::Size size_px = pattern.period_px;
   double texel_m = pattern.texel_m;
-  cv::Vec2f texels_per_m = cv::Vec2f::all(static_cast<float>(1.0 / texel_m));
+  Eigen::Vector2f size_m(size_px.width * texel_m, size_px.height * texel_m);
   if (!repeats_) {
-    const Eigen::Vector2d size_m = material.picture_size_m.cast<double>();
-    texel_m = std::max(texel_m, size_m.maxCoeff() / kLongestEdgePx);
+    size_m = material.picture_size_m;
+    texel_m = std::max(texel_m, static_cast<double>(size_m.maxCoeff()) / kLongestEdgePx);
     size_px = {std::max(1, cvRound(size_m.x() / texel_m)),
                std::max(1, cvRound(size_m.y() / texel_m))};
-    texels_per_m = {size_px.width / material.picture_size_m.x(),
-                    size_px.height / material.picture_size_m.y()};
   }
-  texel_m_ = static_cast<float>(texel_m);
-
   const Bgr colour(material.rgb[2], material.rgb[1], material.rgb[0]);
   cv::Mat image(size_px, CV_8UC3, colour);
   Painter painter(image, texel_m, SeedOf(material), repeats_);
   pattern.paint(painter, colour);
   if (repeats_ && pattern.keeps_mean) painter.SetMean(colour);
+  texel_m_ = static_cast<float>(texel_m);
+  levels_.push_back({image, TexelsPerMetre(image, size_m)});
+  AddSmallerCopies();
+}
 
-  levels_.push_back({image, texels_per_m});
+Texture::Texture(const cv::Mat& image, const Eigen::Vector2f& size_m)
+    : texel_m_(size_m.x() / static_cast<float>(image.cols)), repeats_(false) {
+  assert(image.type() == CV_8UC3 && !image.empty() && size_m.minCoeff() > 0.0f);
+  levels_.push_back({image, TexelsPerMetre(image, size_m)});
+  AddSmallerCopies();
+}
+
+void Texture::AddSmallerCopies() {
   while (levels_.back().image.total() > 1) {
     const Level& fine = levels_.back();
     const cv::Size half(std::max(1, fine.image.cols / 2), std::max(1, fine.image.rows / 2));

@@ -20,6 +20,8 @@ class Texture {
   // The same material gives the same picture. Throws ConfigError naming a pattern that does not
   // exist, a picture without a size, or a size of something that repeats for ever.
   explicit Texture(const Material& material);
+  // One picture that fills `size_m`, both positive; shares the pixels of `image`, CV_8UC3.
+  Texture(const cv::Mat& image, const Eigen::Vector2f& size_m);
 
   // Colour (BGR, 0..255) at a place of the surface [m], averaged over about `footprint_m`: what one
   // pixel of a camera sees. Trilinear (Williams, Pyramidal Parametrics, SIGGRAPH 1983), blending
@@ -38,6 +40,7 @@ class Texture {
     cv::Mat image;  // half the size of the one before
     cv::Vec2f texels_per_m;
   };
+  void AddSmallerCopies();
   template <bool kRepeats>
   static cv::Vec3f Bilinear(const Level& level, float x_m, float y_m);
   cv::Vec3f SampleLevel(int level, float x_m, float y_m) const {
