@@ -94,4 +94,16 @@ void RayScene::FindOccluded(RayPacket& packet) const {
   rtcOccluded16(packet.valid_, scene_, &context, &packet.rays_.ray);
 }
 
+bool RayScene::IsOccluded(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                          float longest) const {
+  if (geometries_.empty()) return false;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay ray{
+      origin.x(), origin.y(), origin.z(), 0.0f, direction.x(), direction.y(), direction.z(), 0.0f,
+      longest,    kOpaque,    0,          0};
+  rtcOccluded1(scene_, &context, &ray);
+  return ray.tfar < 0.0f;
+}
+
 }  // namespace semantic_slam

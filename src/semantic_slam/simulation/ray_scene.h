@@ -63,6 +63,10 @@ class RayScene {
   // Finds whether anything is in a ray's way.
   void FindOccluded(RayPacket& packet) const;
 
+  // Whether anything opaque is in the way of one ray before t = `longest`.
+  bool IsOccluded(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                  float longest) const;
+
  private:
   RTCDevice device_;
   RTCScene scene_;

@@ -12,9 +12,10 @@
 namespace semantic_slam {
 namespace {
 
+constexpr float kNearlyThere = 0.999f;  // rays end before the lamp itself
 constexpr float kSteepest = 0.15f;  // cosine at which a pixel is as long as it gets on a surface
 constexpr float kLiftM = 0.002f;    // rays to lamps start that far above the surface
-constexpr float kFaintest = 0.01f;  // highlights fainter than that are not looked into
+constexpr float kFaintest = 0.02f;  // highlights fainter than that are not looked into
 constexpr float kHighlight = 0.6f;  // of a polished surface, in its middle
 constexpr float kDullExponent = 12.0f;       // how wide a highlight is: on dull things,
 constexpr float kPolishedExponent = 180.0f;  // on polished ones
@@ -35,6 +36,17 @@ Eigen::Vector3f MeanColour(const Texture& texture) {
       {static_cast<float>(mean[0]), static_cast<float>(mean[1]), static_cast<float>(mean[2])});
 }
 
+Polish PolishOf(const Material& material) {
+  Polish polish;
+  polish.strength = kHighlight * material.gloss;
+  polish.exponent =
+      kDullExponent + material.gloss * material.gloss * (kPolishedExponent - kDullExponent);
+  if (polish.strength > kFaintest) {
+    polish.least_cosine = std::pow(kFaintest / polish.strength, 1.0f / polish.exponent);
+  }
+  return polish;
+}
+
 // The direction to the place of a lamp that is nearest to being mirrored.
 Eigen::Vector3f TowardsLamp(const Lamp& lamp, const Eigen::Vector3f& position_m,
                             const Eigen::Vector3f& mirrored) {
@@ -49,41 +61,30 @@ Eigen::Vector3f TowardsLamp(const Lamp& lamp, const Eigen::Vector3f& position_m,
   return towards;
 }
 
-bool IsHidden(const RayScene& scene, const Eigen::Vector3f& start_m,
-              const Eigen::Vector3f& towards) {
-  RayPacket packet;
-  packet.Clear();
-  packet.Set(0, start_m, towards, 0.999f, kOpaque);
-  scene.FindOccluded(packet);
-  return packet.IsOccluded(0);
-}
-
-// The lamps as a surface with that gloss mirrors them (Phong 1975).
+// The lamps as a polished surface mirrors them (Phong 1975).
 Eigen::Vector3f Highlights(const std::vector<Lamp>& lamps, const RayScene& scene,
                            const SurfacePoint& point, const Eigen::Vector3f& direction,
-                           float gloss) {
+                           const Polish& polish) {
   const Eigen::Vector3f mirrored = direction - 2.0f * direction.dot(point.normal) * point.normal;
-  const float exponent = kDullExponent + gloss * gloss * (kPolishedExponent - kDullExponent);
   const Eigen::Vector3f start_m = point.position_m + kLiftM * point.normal;
   Eigen::Vector3f light = Eigen::Vector3f::Zero();
   for (const Lamp& lamp : lamps) {
     const Eigen::Vector3f towards = TowardsLamp(lamp, point.position_m, mirrored);
     if (towards.z() <= 0.0f || towards.dot(point.normal) <= 0.0f) continue;
     const float cosine = mirrored.dot(towards) / towards.norm();
-    if (cosine <= 0.0f) continue;
-    const float strength = kHighlight * gloss * std::pow(cosine, exponent);
-    if (strength < kFaintest || IsHidden(scene, start_m, towards)) continue;
-    light += strength * lamp.radiant();
+    if (cosine < polish.least_cosine) continue;
+    if (scene.IsOccluded(start_m, towards, kNearlyThere)) continue;
+    light += polish.strength * std::pow(cosine, polish.exponent) * lamp.radiant();
   }
   return light;
 }
 
 }  // namespace
 
-Shader::Shader(const World& world)
-    : materials_(world.materials), textures_(Paint(world.materials)) {
+Shader::Shader(const World& world) : textures_(Paint(world.materials)) {
   for (std::size_t i = 0; i < textures_.size(); ++i) {
-    reflectances_.push_back({MeanColour(textures_[i]), materials_[i].brightness});
+    reflectances_.push_back({MeanColour(textures_[i]), world.materials[i].brightness});
+    polishes_.push_back(PolishOf(world.materials[i]));
   }
 }
 
@@ -92,13 +93,16 @@ Eigen::Vector3f Shader::LightFrom(const SurfacePoint& point, const Eigen::Vector
                                   const std::vector<Lamp>& lamps, const RayScene& scene) const {
   const Eigen::Vector3f direction = ray.normalized();
   const float cosine = std::max(-direction.dot(point.normal), kSteepest);
-  const Material& material = materials_[point.surface->material];
-  const Eigen::Vector3f colour = ToneCurve::Linear(textures_[point.surface->material].Sample(
+  const int material = point.surface->material;
+  const float brightness = reflectances_[material].brightness;
+  const Eigen::Vector3f colour = ToneCurve::Linear(textures_[material].Sample(
       point.texture_m.x(), point.texture_m.y(), pixel_m / std::sqrt(cosine)));
-  const Eigen::Vector3f lit = (1.0f - material.brightness) * irradiance +
-                              Eigen::Vector3f::Constant(material.brightness * kShiningLight);
+  const Eigen::Vector3f lit =
+      (1.0f - brightness) * irradiance + Eigen::Vector3f::Constant(brightness * kShiningLight);
   Eigen::Vector3f light = colour.cwiseProduct(lit);
-  if (material.gloss > 0.0f) light += Highlights(lamps, scene, point, direction, material.gloss);
+  if (polishes_[material].least_cosine < 1.0f) {
+    light += Highlights(lamps, scene, point, direction, polishes_[material]);
+  }
   return light;
 }
 

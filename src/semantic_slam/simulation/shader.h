@@ -13,6 +13,13 @@
 
 namespace semantic_slam {
 
+// How a material mirrors lamps.
+struct Polish {
+  float strength = 0.0f;      // of a highlight in its middle
+  float exponent = 1.0f;      // the greater, the smaller highlights are
+  float least_cosine = 1.0f;  // between lamp and mirrored ray; with less a highlight is too faint
+};
+
 // The looks of all materials of a world. Immutable, so safe from any thread.
 class Shader {
  public:
@@ -31,9 +38,9 @@ class Shader {
                             const RayScene& scene) const;
 
  private:
-  const std::vector<Material> materials_;
   std::vector<Texture> textures_;
   std::vector<Reflectance> reflectances_;
+  std::vector<Polish> polishes_;
 };
 
 }  // namespace semantic_slam
