@@ -97,7 +97,7 @@ TEST(LabelErrorsTest, ThingsAreConfusedAtTheStatedRates) {
     confused += ShareOf((seen != board.labels) & ~is_unknown) / kImages;
   }
   // Four standard deviations of a share of 6000 independent things.
-  EXPECT_NEAR(confused, 0.2, 4.0 * std::sqrt(0.2 * 0.8 / 6000));
+  EXPECT_NEAR(confused, 0.9 * 0.2, 4.0 * std::sqrt(0.2 * 0.8 / 6000));
   EXPECT_NEAR(unknown, 0.1, 4.0 * std::sqrt(0.1 * 0.9 / 6000));
 }
 
@@ -179,10 +179,9 @@ TEST(LabelErrorsTest, WhereThereIsNothingNothingIsKnown) {
 
 TEST(LabelErrorsTest, RefusesOptionsOutOfRange) {
   LabelErrorOptions options;
-  options.confusion_probability = 0.9;
-  options.unknown_probability = 0.2;
+  options.unknown_probability = 1.2;
   ExpectOneLineWith(MessageOf<ConfigError>([&] { LabelErrors(options, Vocabulary()); }),
-                    {"unknown_probability"});
+                    {"unknown_probability = 1.2"});
 }
 
 }  // namespace

@@ -102,19 +102,22 @@ TEST(SimulatedDroneTest, FliesLevelAgainWhenCommandsStop) {
   EXPECT_NEAR(Tilt(drone), 0.0, 0.01);
 }
 
-TEST(SimulatedDroneTest, FliesLevelIfThatIsCommanded) {
+TEST(SimulatedDroneTest, ALevelCommandCountsFromLevel) {
   SimulatedDrone drone = DroneAt(1.2);
   drone.Follow(Pitch(0.3, drone.stamp()));
   Steps(drone, 120);
-  RelativeAttitudeCommand command;
-  command.stamp = drone.stamp();
+  RelativeAttitudeCommand command = Pitch(0.0, drone.stamp());
   command.level = true;
-  command.thrust_n = kQuadrotor.hover_thrust_n();
-  command.R_base_desired.setConstant(std::numeric_limits<double>::quiet_NaN());  // not looked at
   drone.Follow(command);
   Steps(drone, 270);
   EXPECT_TRUE(drone.is_commanded());
   EXPECT_NEAR(Tilt(drone), 0.0, 0.01);
+  command = Pitch(-0.2, drone.stamp());  // braking
+  command.level = true;
+  drone.Follow(command);
+  Steps(drone, 270);
+  EXPECT_NEAR(Tilt(drone), 0.2, 0.02);
+  EXPECT_GT(drone.state().T_world_base.linear().col(0).z(), 0.1) << "its nose is up";
 }
 
 TEST(SimulatedDroneTest, RefusesCommandsThatAreNoneAndGoesOn) {

@@ -102,7 +102,8 @@ LabelErrors::Opinion LabelErrors::OpinionOn(InstanceId instance, LabelId label, 
   const auto period =
       static_cast<std::int64_t>(std::floor(stamp.seconds() / options_.period_s + phase));
   RandomStream random(HashOf({seed, kError, instance, static_cast<std::uint64_t>(period)}));
-  const double kind = random.Uniform();
+  const bool is_unknown = random.Uniform() < options_.unknown_probability;
+  const bool is_confused = random.Uniform() < options_.confusion_probability;
   const double right =
       std::clamp(options_.mean_confidence + options_.confidence_spread * random.Gaussian(),
                  kMinConfidence, 1.0);
@@ -112,10 +113,8 @@ LabelErrors::Opinion LabelErrors::OpinionOn(InstanceId instance, LabelId label, 
     std::rotate(others.begin(), others.begin() + random.Bits() % others.size(), others.end());
   }
   if (label == kUnknownLabel) return Ranked(label, wrong, {});
-  if (kind < options_.unknown_probability) return Ranked(kUnknownLabel, wrong, {label});
-  if (kind - options_.unknown_probability >= options_.confusion_probability || others.empty()) {
-    return Ranked(label, right, others);
-  }
+  if (is_unknown) return Ranked(kUnknownLabel, wrong, {label});
+  if (!is_confused || others.empty()) return Ranked(label, right, others);
   const LabelId taken_for = others.front();
   others.front() = label;
   return Ranked(taken_for, wrong, others);

@@ -15,8 +15,8 @@
 namespace semantic_slam {
 
 struct LabelErrorOptions {
-  double confusion_probability = 0.08;  // that a thing passes for one of a similar class
-  double unknown_probability = 0.02;    // that a thing passes for nothing known
+  double unknown_probability = 0.02;    // that a thing passes for nothing known,
+  double confusion_probability = 0.08;  // and if not, that it passes for one of a similar class
   double period_s = 1.5;                // for which a thing is seen in the same way
   double border_wobble_px = 1.5;        // standard deviation of where a border is seen
   double mean_confidence = 0.8;         // of the first label, where it is right
@@ -25,8 +25,8 @@ struct LabelErrorOptions {
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
+    visit("unknown_probability", self.unknown_probability, 0.0, 1.0);
     visit("confusion_probability", self.confusion_probability, 0.0, 1.0);
-    visit("unknown_probability", self.unknown_probability, 0.0, 1.0 - self.confusion_probability);
     visit("period_s", self.period_s, 0.01, 3600.0);
     visit("border_wobble_px", self.border_wobble_px, 0.0, 100.0);
     visit("mean_confidence", self.mean_confidence, 0.4, 1.0);

@@ -20,7 +20,6 @@ void CheckNumbers(const RelativeAttitudeCommand& command) {
     throw InputError("thrust is " + std::to_string(command.thrust_n) +
                      " N, expected a number that is not negative");
   }
-  if (command.level) return;
   if (!command.angular_velocity_radps.allFinite()) {
     throw InputError("angular velocity has a number that is not finite");
   }
@@ -52,14 +51,11 @@ void SimulatedDrone::Follow(const RelativeAttitudeCommand& command) {
     throw InputError("command of " + ToString(command.stamp) + " s comes after that of " +
                      ToString(command_->stamp) + " s");
   }
-  if (command.level) {
-    command_ = ActiveCommand{command.stamp, true, {}};
-    command_->attitude.thrust_n = command.thrust_n;
-    return;
-  }
-  const Eigen::Matrix3d R_world_desired = R_world_base * command.R_base_desired;
-  command_ = ActiveCommand{
-      command.stamp, false, {R_world_desired, command.angular_velocity_radps, command.thrust_n}};
+  const Eigen::Matrix3d R_from_desired =
+      command.level ? command.R_base_desired : R_world_base * command.R_base_desired;
+  command_ = ActiveCommand{command.stamp,
+                           command.level,
+                           {R_from_desired, command.angular_velocity_radps, command.thrust_n}};
 }
 
 void SimulatedDrone::Follow(const AttitudeCommand& command) {
@@ -98,8 +94,9 @@ bool SimulatedDrone::IsCommandOld() const {
 AttitudeCommand SimulatedDrone::CommandNow() const {
   const Eigen::Matrix3d& R_world_base = state_.T_world_base.linear();
   if (!is_commanded()) return LevelCommand(R_world_base, model_.parameters().hover_thrust_n());
-  if (command_->level) return LevelCommand(R_world_base, command_->attitude.thrust_n);
-  return After(command_->attitude, SecondsBetween(command_->stamp, stamp()));
+  AttitudeCommand now = After(command_->attitude, SecondsBetween(command_->stamp, stamp()));
+  if (command_->level) now.R_world_desired = LevelAttitude(R_world_base) * now.R_world_desired;
+  return now;
 }
 
 }  // namespace semantic_slam

@@ -28,12 +28,13 @@ struct SimulatedDroneOptions {
   }
 };
 
-// A command of somebody who knows the drone's attitude at a moment in a frame of his own only: it
-// is relative to that attitude.
+// A command of somebody who knows the drone's attitude only in a frame of his own, or not at all:
+// it is relative to the attitude that the base had at its stamp, or, if it is `level`, to the level
+// one at the heading that the base has, at every moment.
 struct RelativeAttitudeCommand {
   Stamp stamp;
-  bool level = false;  // fly level at the present heading; only the thrust counts then
-  Eigen::Matrix3d R_base_desired = Eigen::Matrix3d::Identity();      // base: at `stamp`
+  bool level = false;
+  Eigen::Matrix3d R_base_desired = Eigen::Matrix3d::Identity();
   Eigen::Vector3d angular_velocity_radps = Eigen::Vector3d::Zero();  // desired base frame
   double thrust_n = 0.0;
 };
@@ -69,7 +70,7 @@ class SimulatedDrone {
   struct ActiveCommand {
     Stamp stamp;
     bool level = false;
-    AttitudeCommand attitude;  // at `stamp`
+    AttitudeCommand attitude;  // at `stamp`; if it is level, in the level frame
   };
 
   Stamp StampAfter(std::int64_t steps) const;
