@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/camera/rgbd_image.h"
+#include "semantic_slam/common/label_vocabulary.h"
+#include "semantic_slam/detection/detections.h"
+#include "semantic_slam/segmentation/segmentation.h"
+#include "semantic_slam/simulation/simulated_flight.h"
+#include "semantic_slam_ros/simulator_parameters.h"
+
+namespace semantic_slam_ros {
+
+// Tells the world what the simulated sensors see, and the truth. Images are published as shared
+// pointers, so within a nodelet manager nobody copies them. For one thread, but for has_listener().
+class SimulatorPublisher {
+ public:
+  // Publishes where the camera and the imu sit, and the vocabulary, at once.
+  SimulatorPublisher(ros::NodeHandle nh, const SimulatorFrameOptions& frames,
+                     const semantic_slam::SimulatedFlightOptions& flight,
+                     const semantic_slam::LabelVocabulary& vocabulary,
+                     const semantic_slam::CameraIntrinsics& intrinsics);
+
+  void PublishClock(semantic_slam::Stamp stamp);
+  void PublishReadings(const std::vector<semantic_slam::ImuReading>& readings);
+  void PublishTruth(const semantic_slam::SimulatedFlight& flight);
+  void PublishImages(const semantic_slam::RgbdImage& image);
+  void PublishSegmentation(const semantic_slam::Segmentation& segmentation);
+  void PublishDetections(const semantic_slam::Detections& detections);
+
+  // Somebody receives both images and the calibration.
+  bool has_listener() const;
+  bool wants_segmentation() const { return semantic_image_pub_.getNumSubscribers() > 0; }
+  bool wants_detections() const { return detections_pub_.getNumSubscribers() > 0; }
+
+ private:
+  void PublishMount(const semantic_slam::SensorMountOptions& mount);
+
+  const SimulatorFrameOptions frames_;
+  const std::string truth_frame_;
+  const semantic_slam::ImuOptions imu_options_;
+  const double imu_rate_hz_;
+  const semantic_slam::CameraIntrinsics intrinsics_;
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+  ros::Publisher clock_pub_;
+  ros::Publisher imu_pub_;
+  ros::Publisher truth_tf_pub_;
+  ros::Publisher truth_odometry_pub_;
+  ros::Publisher info_pub_;
+  ros::Publisher depth_pub_;
+  ros::Publisher colour_pub_;
+  ros::Publisher labels_pub_;
+  ros::Publisher semantic_image_pub_;
+  ros::Publisher detections_pub_;
+};
+
+}  // namespace semantic_slam_ros
