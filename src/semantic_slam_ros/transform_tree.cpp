@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "semantic_slam/common/interpolation.h"
+
 namespace semantic_slam_ros {
 
+using semantic_slam::Interpolated;
 using semantic_slam::Rigid3d;
 using semantic_slam::Stamp;
 using semantic_slam::Trajectory;
@@ -16,13 +19,6 @@ constexpr double kSameTransform = 1e-7;
 
 // A tree has no longer chains; a ring of links, which is malformed, would have no end.
 constexpr std::size_t kMaxLinks = 100;
-
-Rigid3d Interpolated(const Rigid3d& a, const Rigid3d& b, double share) {
-  const Eigen::Vector3d translation = (1.0 - share) * a.translation() + share * b.translation();
-  const Eigen::Quaterniond rotation =
-      Eigen::Quaterniond(a.linear()).slerp(share, Eigen::Quaterniond(b.linear()));
-  return Eigen::Translation3d(translation) * rotation;
-}
 
 }  // namespace
 
