@@ -84,6 +84,8 @@ function(semantic_slam_programs)
   endforeach()
   add_library(semantic_slam_tools STATIC ${shared})
   target_link_libraries(semantic_slam_tools PUBLIC semantic_slam_ros Boost::program_options)
+  target_compile_definitions(semantic_slam_tools PRIVATE
+    SEMANTIC_SLAM_SOURCE_CONFIG="${CMAKE_CURRENT_SOURCE_DIR}/config")
   semantic_slam_compile_options(semantic_slam_tools)
   foreach(source ${programs})
     get_filename_component(program ${source} NAME_WE)
