@@ -29,13 +29,13 @@ void ReadObjectStageOptions(YamlReader& file, ObjectStageOptions& options) {
   ReadOptionGroups(file, "object_mapping", options.object_mapping);
 }
 
-ObjectStage::ObjectStage(const ObjectStageOptions& options, const Model& model,
+ObjectStage::ObjectStage(const ObjectStageOptions& options, DetectObjects detect,
                          std::shared_ptr<const LabelVocabulary> vocabulary,
                          std::shared_ptr<const CameraModel> camera, StageTimer& timer)
     : vocabulary_(std::move(vocabulary)),
       camera_(std::move(camera)),
       timer_(timer),
-      detector_(model, *vocabulary_, options.network, options.detector),
+      detect_(std::move(detect)),
       tracker_(options.object_tracking, vocabulary_),
       mapper_(options.object_mapping, vocabulary_) {}
 
@@ -43,7 +43,7 @@ void ObjectStage::Process(const RgbdImage& image, const TrackedImage& tracked) {
   Detections detections;
   {
     StageTimer::Scope scope(timer_, "objects.detection");
-    detections = detector_.Detect(image.colour, image.order, image.stamp);
+    detections = detect_(image);
   }
   detections_ += detections.boxes.size();
   ObjectTracks tracks;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -8,7 +9,6 @@
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/detection/detector.h"
-#include "semantic_slam/dnn/model.h"
 #include "semantic_slam/object_mapping/object_mapper.h"
 #include "semantic_slam/object_tracking/object_tracker.h"
 #include "tools/mapping_stage.h"
@@ -28,11 +28,14 @@ struct ObjectStageOptions {
 // Reads the groups detection, object_tracking and object_mapping of a configuration file.
 void ReadObjectStageOptions(YamlReader& file, ObjectStageOptions& options);
 
+// Finds objects in an image. May throw InputError.
+using DetectObjects = std::function<Detections(const RgbdImage&)>;
+
 // Thesis sections 3.4.1 and 3.4.3: detection, object tracking, object mapping. Leaves objects.json.
 class ObjectStage : public MappingStage {
  public:
   // Throws ConfigError as its parts do. `timer` must outlive this.
-  ObjectStage(const ObjectStageOptions& options, const Model& model,
+  ObjectStage(const ObjectStageOptions& options, DetectObjects detect,
               std::shared_ptr<const LabelVocabulary> vocabulary,
               std::shared_ptr<const CameraModel> camera, StageTimer& timer);
 
@@ -48,7 +51,7 @@ class ObjectStage : public MappingStage {
   const std::shared_ptr<const LabelVocabulary> vocabulary_;
   const std::shared_ptr<const CameraModel> camera_;
   StageTimer& timer_;
-  Detector detector_;
+  const DetectObjects detect_;
   ObjectTracker tracker_;
   ObjectMapper mapper_;
   std::size_t detections_ = 0;

@@ -90,9 +90,10 @@ std::optional<Arguments> ParseArguments(CommandLine& command_line) {
                       "of tracking, semantic, objects, grid, separated by commas; default: all that "
                       "there is a network for");
   command_line.Option("segmentation", "CARD.yaml", &selection.segmentation_card,
-                      "network of the stage semantic: config/cards/...");
+                      "network of the stage semantic: config/cards/..., or truth: what "
+                      "render_sequence wrote beside the images");
   command_line.Option("detection", "CARD.yaml", &selection.detection_card,
-                      "network of the stage objects: config/cards/...");
+                      "network of the stage objects: config/cards/..., or truth");
   command_line.Option("models", "DIR", &selection.models, "where the networks' files lie, see docs/models.md");
   command_line.Option("labels", "LABELS.yaml", &selection.labels,
                       "the vocabulary; default: labels.yaml beside CAMERA.yaml");
@@ -103,6 +104,7 @@ std::optional<Arguments> ParseArguments(CommandLine& command_line) {
   command_line.Flag("realtime", &arguments.realtime,
                     "play at the sensor's rate and drop images that come too late");
   if (!command_line.Parse()) return std::nullopt;
+  selection.dataset = arguments.dataset;
   SelectStages(arguments.stages, selection);
   CheckSelection(selection);
   if (selection.labels.empty()) {

@@ -5,9 +5,41 @@
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/yaml_options.h"
+#include "semantic_slam/segmentation/segmenter.h"
 #include "semantic_slam/semantic_grid/semantic_grid_file.h"
+#include "tools/truth_images.h"
 
 namespace semantic_slam {
+namespace {
+
+SegmentImage MakeSegmenter(const StageSelection& selection, const LabelVocabulary& vocabulary,
+                           const NetworkOptions& options) {
+  if (selection.segmentation_card == kTruth) {
+    const auto truth = std::make_shared<const TrueLabels>(selection.dataset, vocabulary);
+    return [truth](const RgbdImage& image) { return truth->Find(image.colour, image.stamp); };
+  }
+  const Model model = LoadModel(selection.segmentation_card, selection.models);
+  const auto network = std::make_shared<Segmenter>(model, vocabulary, options);
+  return [network](const RgbdImage& image) {
+    return network->Segment(image.colour, image.order, image.stamp);
+  };
+}
+
+DetectObjects MakeDetector(const StageSelection& selection, const LabelVocabulary& vocabulary,
+                           const ObjectStageOptions& options) {
+  if (selection.detection_card == kTruth) {
+    const auto truth = std::make_shared<const TrueBoxes>(selection.dataset, vocabulary);
+    return [truth](const RgbdImage& image) { return truth->Find(image.colour, image.stamp); };
+  }
+  const Model model = LoadModel(selection.detection_card, selection.models);
+  const auto network =
+      std::make_shared<Detector>(model, vocabulary, options.network, options.detector);
+  return [network](const RgbdImage& image) {
+    return network->Detect(image.colour, image.order, image.stamp);
+  };
+}
+
+}  // namespace
 
 void ReadReplayOptions(YamlReader& file, ReplayOptions& options) {
   ReadOptionGroups(file, options.localization);
@@ -36,13 +68,13 @@ ReplayStages::ReplayStages(const StageSelection& selection, const ReplayOptions&
   vocabulary_ = std::make_shared<const LabelVocabulary>(LabelVocabulary::Load(selection.labels));
   if (selection.semantic) {
     Start<SemanticStage>(selection.semantic_period_s, when_full, options.semantic,
-                         LoadModel(selection.segmentation_card, selection.models), vocabulary_, camera,
-                         timer_);
+                         MakeSegmenter(selection, *vocabulary_, options.semantic.segmentation),
+                         vocabulary_, camera, timer_);
   }
   if (selection.objects) {
     objects_ = Start<ObjectStage>(selection.object_period_s, when_full, options.objects,
-                                  LoadModel(selection.detection_card, selection.models), vocabulary_,
-                                  camera, timer_);
+                                  MakeDetector(selection, *vocabulary_, options.objects),
+                                  vocabulary_, camera, timer_);
   }
   if (selection.grid) {
     grid_ = Start<GridStage>(selection.grid_period_s, when_full, options.grid_slam, camera, timer_);

@@ -27,6 +27,9 @@ struct ReplayOptions {
 
 void ReadReplayOptions(YamlReader& file, ReplayOptions& options);
 
+// In place of a network's card: what render_sequence has left beside the images.
+constexpr char kTruth[] = "truth";
+
 // Which stages run behind tracking, with what, and how often.
 struct StageSelection {
   bool semantic = false;
@@ -34,8 +37,9 @@ struct StageSelection {
   bool grid = false;
   std::string labels;              // file of the vocabulary
   std::string models;              // folder; empty: where LoadModel() looks anyhow
-  std::string segmentation_card;   // with semantic
-  std::string detection_card;      // with objects
+  std::string segmentation_card;   // with semantic; or kTruth
+  std::string detection_card;      // with objects; or kTruth
+  std::string dataset;             // folder with the truth
   double semantic_period_s = 0.2;
   double object_period_s = 0.1;
   double grid_period_s = 0.1;

@@ -81,14 +81,14 @@ void ReadSemanticStageOptions(YamlReader& file, SemanticStageOptions& options) {
   ReadOptionGroups(file, "octomap", options.octomap);
 }
 
-SemanticStage::SemanticStage(const SemanticStageOptions& options, const Model& model,
+SemanticStage::SemanticStage(const SemanticStageOptions& options, SegmentImage segment,
                              std::shared_ptr<const LabelVocabulary> vocabulary,
                              std::shared_ptr<const CameraModel> camera, StageTimer& timer)
     : options_(options),
       vocabulary_(std::move(vocabulary)),
       camera_(std::move(camera)),
       timer_(timer),
-      segmenter_(model, *vocabulary_, options.segmentation),
+      segment_(std::move(segment)),
       cloud_builder_(options.semantic_cloud, camera_),
       mapper_(options.octomap, vocabulary_) {}
 
@@ -96,7 +96,7 @@ void SemanticStage::Process(const RgbdImage& image, const TrackedImage& tracked)
   Segmentation segmentation;
   {
     StageTimer::Scope scope(timer_, "semantic.segmentation");
-    segmentation = segmenter_.Segment(image.colour, image.order, image.stamp);
+    segmentation = segment_(image);
   }
   SemanticCloud cloud;
   {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,10 +12,9 @@
 #include "semantic_slam/common/duration_histogram.h"
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/common/yaml_options.h"
-#include "semantic_slam/dnn/model.h"
 #include "semantic_slam/dnn/network.h"
 #include "semantic_slam/octree/semantic_map.h"
-#include "semantic_slam/segmentation/segmenter.h"
+#include "semantic_slam/segmentation/segmentation.h"
 #include "semantic_slam/semantic_cloud/cloud_builder.h"
 #include "tools/mapping_stage.h"
 
@@ -29,12 +29,15 @@ struct SemanticStageOptions {
 // Reads the groups segmentation, semantic_cloud and octomap of a configuration file.
 void ReadSemanticStageOptions(YamlReader& file, SemanticStageOptions& options);
 
+// Labels the pixels of an image. May throw InputError.
+using SegmentImage = std::function<Segmentation(const RgbdImage&)>;
+
 // The 3D branch, thesis section 3.3: segmentation, cloud, octree. Leaves semantic_map.ot,
 // semantic_map_colour.ot, semantic_map.bt, semantic_map.ply, map_top.png and overview.png.
 class SemanticStage : public MappingStage {
  public:
   // Throws ConfigError as its parts do. `timer` must outlive this.
-  SemanticStage(const SemanticStageOptions& options, const Model& model,
+  SemanticStage(const SemanticStageOptions& options, SegmentImage segment,
                 std::shared_ptr<const LabelVocabulary> vocabulary,
                 std::shared_ptr<const CameraModel> camera, StageTimer& timer);
 
@@ -64,7 +67,7 @@ class SemanticStage : public MappingStage {
   const std::shared_ptr<const LabelVocabulary> vocabulary_;
   const std::shared_ptr<const CameraModel> camera_;
   StageTimer& timer_;
-  Segmenter segmenter_;
+  const SegmentImage segment_;
   const CloudBuilder cloud_builder_;
   SemanticMapper mapper_;
   KeyframeGraph graph_;  // the newest

@@ -1,0 +1,68 @@
+#include "tools/truth_images.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "semantic_slam/common/error.h"
+#include "semantic_slam/dataset/tum_images.h"
+
+namespace semantic_slam {
+
+namespace fs = std::filesystem;
+
+TrueLabels::TrueLabels(const std::string& folder, const LabelVocabulary& vocabulary)
+    : vocabulary_(vocabulary) {
+  ProblemLog problems;
+  for (const ImageFile& file : ReadImageList(folder, "labels.txt", problems)) {
+    files_[file.stamp] = file.path;
+  }
+}
+
+Segmentation TrueLabels::Find(const cv::Mat& colour, Stamp stamp) const {
+  const auto file = files_.find(stamp);
+  if (file == files_.end())
+    throw InputError("there are no true labels at " + ToString(stamp) + " s");
+  const cv::Mat labels = cv::imread(file->second, cv::IMREAD_UNCHANGED);
+  if (labels.type() != CV_8UC1 || labels.size() != colour.size()) {
+    throw InputError(file->second + " is no 8-bit image of the colour image's size");
+  }
+  Segmentation segmentation;
+  segmentation.stamp = stamp;
+  segmentation.vocabulary_hash = vocabulary_.hash();
+  const cv::Mat none = cv::Mat::zeros(labels.size(), CV_8UC1);
+  segmentation.labels = {labels, none, none};
+  segmentation.confidences = {cv::Mat(labels.size(), CV_8UC1, cv::Scalar(255)), none, none};
+  CheckSegmentation(segmentation, vocabulary_);
+  return segmentation;
+}
+
+TrueBoxes::TrueBoxes(const std::string& folder, const LabelVocabulary& vocabulary)
+    : folder_((fs::path(folder) / "boxes").string()), vocabulary_(vocabulary) {
+  if (!fs::is_directory(folder_)) throw InputError("no such folder: " + folder_);
+}
+
+Detections TrueBoxes::Find(const cv::Mat& colour, Stamp stamp) const {
+  const std::string path = (fs::path(folder_) / (ToString(stamp) + ".txt")).string();
+  std::ifstream file(path);
+  if (!file) throw InputError("there are no true boxes at " + ToString(stamp) + " s");
+  Detections detections;
+  detections.stamp = stamp;
+  detections.vocabulary_hash = vocabulary_.hash();
+  detections.image_size = colour.size();
+  int label;
+  float x, y, width, height;  // shares of the image; x, y of the middle
+  while (file >> label >> x >> y >> width >> height) {
+    const float w = width * static_cast<float>(colour.cols);
+    const float h = height * static_cast<float>(colour.rows);
+    const cv::Rect2f box(x * static_cast<float>(colour.cols) - 0.5f * w - 0.5f,
+                         y * static_cast<float>(colour.rows) - 0.5f * h - 0.5f, w, h);
+    detections.boxes.push_back({static_cast<LabelId>(label), 1.0f, box});
+  }
+  if (!file.eof()) throw InputError(path + ": expected lines of class x y width height");
+  CheckDetections(detections, vocabulary_);
+  return detections;
+}
+
+}  // namespace semantic_slam
