@@ -46,8 +46,8 @@ Material ReadMapping(YamlReader reader, const Material& usual) {
 }  // namespace
 
 MaterialPalette::MaterialPalette(YamlReader& file) {
-  const auto map = file.Has("materials") ? file.Require<YAML::Node>("materials")
-                                         : YAML::Node(YAML::NodeType::Map);
+  YAML::Node map(YAML::NodeType::Map);
+  file.Read("materials", map);
   if (!map.IsMap()) file.Refuse("materials", "a mapping");
   YamlReader group(map, file.path(), "materials");
   for (const auto& entry : map) {
@@ -59,8 +59,9 @@ MaterialPalette::MaterialPalette(YamlReader& file) {
 
 Material MaterialPalette::Read(YamlReader& reader, const std::string& key,
                                const Material& usual) const {
-  if (!reader.Has(key)) return usual;
-  const auto node = reader.Require<YAML::Node>(key);
+  YAML::Node node;
+  reader.Read(key, node);
+  if (node.IsNull()) return usual;
   if (node.IsMap()) return ReadMapping(reader.Group(key), usual);
   if (node.IsSequence()) {
     Material coloured = usual;

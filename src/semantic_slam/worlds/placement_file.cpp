@@ -19,8 +19,11 @@ Rigid3d Upright(const Eigen::Vector2d& at_m, double z_m, double yaw_deg) {
   return T;
 }
 
-double ReadFinite(YamlReader& reader, const std::string& key) {
-  const double value = reader.Require<double>(key);
+// nullopt if the key is absent.
+std::optional<double> ReadFinite(YamlReader& reader, const std::string& key) {
+  double value = 0.0;
+  reader.Read(key, value);
+  if (!reader.Has(key)) return std::nullopt;
   if (!(std::abs(value) <= kFarthest_m)) reader.Refuse(key, "a number within 1000");
   return value;
 }
@@ -58,13 +61,13 @@ Rigid3d PlacementReader::AtWall(YamlReader& reader, const Placeable& piece,
   const auto wall = reader.Require<std::string>("wall");
   const std::size_t slash = wall.rfind('/');
   if (slash == std::string::npos) reader.Refuse("wall", "a room and a side: kitchen/north");
-  const double along_m = ReadFinite(reader, "along_m");
+  const auto along_m = reader.Require<double>("along_m");
   const Rigid3d T_world_wall = Located(reader, [&] {
     return building_.WallPose(building_.FindRoom(wall.substr(0, slash)),
                               SideNamed(wall.substr(slash + 1)), along_m);
   });
-  double gap_m = piece.mount == Mount::kWall ? 0.0 : kGapToWall_m;
-  if (reader.Has("gap_m")) gap_m = ReadFinite(reader, "gap_m");
+  const double usual_gap_m = piece.mount == Mount::kWall ? 0.0 : kGapToWall_m;
+  const double gap_m = ReadFinite(reader, "gap_m").value_or(usual_gap_m);
   const double back_m = piece.mount == Mount::kWall ? 0.0 : 0.5 * piece.size_m.x();
   return T_world_wall * Eigen::Translation3d(gap_m + back_m, 0, 0) * place.Pose();
 }
@@ -89,8 +92,8 @@ Rigid3d PlacementReader::Read(YamlReader& reader, const Placeable& piece, const 
   Place place;
   const bool stands_alone = !reader.Has("wall") && !reader.Has("on");
   if (stands_alone || reader.Has("at")) place.at_m = ReadPlace(reader, "at");
-  if (reader.Has("yaw_deg")) place.yaw_deg = ReadFinite(reader, "yaw_deg");
-  if (reader.Has("z_m")) place.z_m = ReadFinite(reader, "z_m");
+  place.yaw_deg = ReadFinite(reader, "yaw_deg").value_or(0.0);
+  place.z_m = ReadFinite(reader, "z_m");
   if (reader.Has("wall")) return AtWall(reader, piece, place);
   if (reader.Has("on")) return OnTop(reader, place, prefix);
   Rigid3d T = T_world_frame * place.Pose();

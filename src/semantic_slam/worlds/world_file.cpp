@@ -15,8 +15,8 @@ namespace {
 // Red, green, blue of light.
 std::array<float, 3> ReadLightColour(YamlReader& reader, const std::string& key,
                                      const std::array<float, 3>& usual) {
-  if (!reader.Has(key)) return usual;
-  const auto numbers = reader.Require<std::vector<float>>(key);
+  std::vector<float> numbers(usual.begin(), usual.end());
+  reader.Read(key, numbers);
   if (numbers.size() != 3) reader.Refuse(key, "[red, green, blue]");
   for (const float number : numbers) {
     if (!(number >= 0.0f && number <= 100.0f)) reader.Refuse(key, "numbers in [0, 100]");
