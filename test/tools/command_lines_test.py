@@ -60,6 +60,13 @@ REFUSED = [
     ("tum_to_bag", "{tmp}/missing {tmp}/out.bag", "{tmp}/missing"),
     ("tum_to_bag", "{tmp}/empty {tmp}/out.bag", "{tmp}/empty rgb.txt"),
     ("tum_to_bag", "{room} {tmp}/text.bag/out.bag", "{tmp}/text.bag"),
+    ("world_to_sdf", "", "WORLD"),
+    ("world_to_sdf", "{tmp}/missing.yaml", "OUT_DIR"),
+    ("world_to_sdf", "{tmp}/missing.yaml {tmp}/out --labels {labels}", "{tmp}/missing.yaml"),
+    ("world_to_sdf", "{world} {tmp}/out --labels {tmp}/missing.yaml", "{tmp}/missing.yaml"),
+    ("world_to_sdf", "{world} {tmp}/out --tour {tmp}/missing.yaml", "{tmp}/missing.yaml"),
+    ("world_to_sdf", "{world} {tmp}/out --texture-size 0", "--texture-size"),
+    ("world_to_sdf", "{world} {tmp}/text.bag/out", "{tmp}/text.bag"),
     ("render_textured_room", "", "OUT_DIR"),
     ("render_textured_room", "{tmp}/out --seconds 0", "--seconds"),
     ("render_textured_room", "{tmp}/text.bag --seconds 1", "{tmp}/text.bag"),
@@ -96,7 +103,8 @@ def test_a_full_disk_is_an_error(build_folder, program):
 
 @pytest.mark.parametrize("program, arguments, words", REFUSED)
 def test_refuses_in_one_line(run_program, repository, room, tmp, program, arguments, words):
-    places = {"tmp": tmp, "room": room.folder, "config": repository / "config/tum_freiburg1.yaml"}
+    places = {"tmp": tmp, "room": room.folder, "config": repository / "config/tum_freiburg1.yaml",
+              "labels": repository / "config/labels.yaml", "world": repository / "config/worlds/home.yaml"}
     before = sorted(tmp.rglob("*"))
     result = run_program(program, *arguments.format(**places).split())
     assert result.returncode == 1
