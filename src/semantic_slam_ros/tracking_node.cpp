@@ -6,6 +6,7 @@
 #include <ros/console.h>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/evaluation/trajectory.h"
 #include "semantic_slam/localization/run_report.h"
 #include "semantic_slam_ros/param_reader.h"
 #include "semantic_slam_ros/topics.h"
@@ -118,8 +119,9 @@ std::string TrackingNode::Save(const std::string& folder) {
     recorder = recorder_;
     camera_frame = camera_frame_;
   }
-  semantic_slam::WriteRunReport(folder, recorder, *localization, facts,
-                                ground_truth_.CameraPath(camera_frame));
+  const semantic_slam::Trajectory truth = ground_truth_.CameraPath(camera_frame);
+  semantic_slam::WriteRunReport(folder, recorder, *localization, facts, truth);
+  if (!truth.empty()) semantic_slam::WriteTumTrajectory(truth, folder + "/groundtruth.txt");
   return "the trajectory is in " + folder;
 }
 

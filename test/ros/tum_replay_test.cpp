@@ -116,8 +116,8 @@ std::size_t Play(const Played& played, const TemporaryFolder& out) {
 void ExpectResults(const TemporaryFolder& out) {
   for (const char* name :
        {"trajectory.txt", "trajectory_live.txt", "keyframe_trajectory.txt", "timing.csv",
-        "summary.json", "trajectory.png", "semantic_map.ot", "semantic_map.bt", "semantic_map.ply",
-        "map_top.png", "objects.json", "grid.pgm", "grid.yaml", "semantic_grid.png"}) {
+        "groundtruth.txt", "summary.json", "trajectory.png", "semantic_map.ot", "semantic_map.bt",
+        "semantic_map.ply", "map_top.png", "objects.json", "grid.pgm", "grid.yaml", "semantic_grid.png"}) {
     EXPECT_TRUE(std::filesystem::exists(out / (std::string("results/") + name))) << name;
   }
   std::ifstream file(out / "results/summary.json");
