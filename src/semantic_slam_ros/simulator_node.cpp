@@ -1,7 +1,6 @@
 #include "semantic_slam_ros/simulator_node.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
@@ -19,13 +18,11 @@
 namespace semantic_slam_ros {
 
 using diagnostic_msgs::DiagnosticStatus;
-using semantic_slam::ConfigError;
 using semantic_slam::InputError;
 using semantic_slam::RelativeAttitudeCommand;
 using semantic_slam::RenderedView;
 using semantic_slam::SecondsBetween;
 using semantic_slam::SimulatedFlight;
-using semantic_slam::Tour;
 using semantic_slam::World;
 using SteadyClock = std::chrono::steady_clock;
 
@@ -38,39 +35,6 @@ constexpr semantic_slam::Stamp kStart{100'000'000'000};
 constexpr double kWarmUpS = 0.6;
 constexpr double kListenerPeriodS = 0.1;
 
-std::string Required(const ros::NodeHandle& private_nh, const char* name, const std::string& file) {
-  if (!file.empty()) return file;
-  throw ConfigError(private_nh.resolveName(name) + " is empty, but must name a file");
-}
-
-bool IsControlled(const ros::NodeHandle& private_nh, const SimulatorNodeOptions& options) {
-  if (options.follow == "control") return true;
-  if (options.follow == "tour" && !options.tour.empty()) return false;
-  throw ConfigError(private_nh.resolveName("follow") + " = " + options.follow +
-                    ", but must be control, or tour with a file in ~tour");
-}
-
-Tour LoadTourIfNamed(const std::string& path) {
-  return path.empty() ? Tour() : semantic_slam::LoadTour(path);
-}
-
-// With the speed that the tour wants.
-semantic_slam::SimulatedFlightOptions ForTour(semantic_slam::SimulatedFlightOptions options,
-                                              const Tour& tour) {
-  if (tour.max_speed_mps) options.follower.max_speed_mps = *tour.max_speed_mps;
-  return options;
-}
-
-Rigid3d StartPose(const SimulatorNodeOptions& options, const Tour& tour) {
-  if (!tour.waypoints.empty()) {
-    const semantic_slam::Waypoint& first = tour.waypoints.front();
-    return Eigen::Translation3d(first.position_m) *
-           Eigen::AngleAxisd(first.yaw_rad, Eigen::Vector3d::UnitZ());
-  }
-  return Eigen::Translation3d(options.start_x_m, options.start_y_m, options.start_z_m) *
-         Eigen::AngleAxisd(options.start_yaw_deg * M_PI / 180.0, Eigen::Vector3d::UnitZ());
-}
-
 }  // namespace
 
 SimulatorNode::SimulatorNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -81,15 +45,15 @@ SimulatorNode::SimulatorNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
     : parameters_(parameters),
       is_controlled_(IsControlled(private_nh, parameters.node)),
       vocabulary_(LoadLabels(private_nh, parameters.labels)),
-      tour_(LoadTourIfNamed(parameters.node.tour)),
+      tour_(LoadTourIfNamed(parameters.node)),
       T_world_start_(StartPose(parameters.node, tour_)),
       world_(std::make_shared<const World>(semantic_slam::LoadWorld(
-          Required(private_nh, "world", parameters.node.world), vocabulary_))),
-      camera_(
-          std::make_shared<const semantic_slam::SceneRenderer>(world_),
-          semantic_slam::LoadCameraConfig(Required(private_nh, "camera", parameters.node.camera))
-              .intrinsics,
-          parameters.camera),
+          RequiredFile(private_nh, "world", parameters.node.world), vocabulary_))),
+      camera_(std::make_shared<const semantic_slam::SceneRenderer>(world_),
+              semantic_slam::LoadCameraConfig(
+                  RequiredFile(private_nh, "camera", parameters.node.camera))
+                  .intrinsics,
+              parameters.camera),
       visible_boxes_(parameters.visible_boxes, world_, vocabulary_),
       label_errors_(parameters.label_errors, vocabulary_),
       box_errors_(parameters.box_errors, vocabulary_),
@@ -113,8 +77,8 @@ SimulatorNode::SimulatorNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
 }
 
 std::unique_ptr<SimulatedFlight> SimulatorNode::MakeFlight() const {
-  return std::make_unique<SimulatedFlight>(ForTour(parameters_.flight, tour_), T_world_start_,
-                                           kStart);
+  return std::make_unique<SimulatedFlight>(FlightOptionsFor(tour_, parameters_.flight),
+                                           T_world_start_, kStart);
 }
 
 SimulatorNode::~SimulatorNode() {
@@ -152,6 +116,7 @@ bool SimulatorNode::Prepare() {
   }
   while (SecondsBetween(kStart, flight_->stamp()) < kWarmUpS) {
     publisher_.PublishClock(flight_->stamp());
+    publisher_.PublishCameraInfo(flight_->stamp());
     publisher_.PublishReadings(flight_->FlyToNextImage());
     if (!pace_.AwaitDue(flight_->stamp())) return false;
   }

@@ -2,6 +2,10 @@
 
 #include <string>
 
+#include <ros/node_handle.h>
+
+#include "semantic_slam/common/transform.h"
+#include "semantic_slam/control/waypoint_file.h"
 #include "semantic_slam/simulation/box_errors.h"
 #include "semantic_slam/simulation/label_errors.h"
 #include "semantic_slam/simulation/simulated_camera.h"
@@ -95,5 +99,24 @@ struct SimulatorNodeParameters {
     visit("box_errors", self.box_errors);
   }
 };
+
+// Whether the drone is controlled from outside; else the simulator flies the tour. Throws
+// ConfigError if ~follow is something else, or there is no tour to fly.
+bool IsControlled(const ros::NodeHandle& private_nh, const SimulatorNodeOptions& options);
+
+// `file`, or throws ConfigError naming the parameter if it is empty.
+std::string RequiredFile(const ros::NodeHandle& private_nh, const char* name,
+                         const std::string& file);
+
+// A tour without waypoints if there is no file.
+semantic_slam::Tour LoadTourIfNamed(const SimulatorNodeOptions& options);
+
+// T_world_base at the tour's first waypoint, or at start_* for a tour without.
+semantic_slam::Rigid3d StartPose(const SimulatorNodeOptions& options,
+                                 const semantic_slam::Tour& tour);
+
+// With the speed that the tour wants.
+semantic_slam::SimulatedFlightOptions FlightOptionsFor(
+    const semantic_slam::Tour& tour, semantic_slam::SimulatedFlightOptions options);
 
 }  // namespace semantic_slam_ros

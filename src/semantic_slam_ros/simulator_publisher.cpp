@@ -75,6 +75,10 @@ void SimulatorPublisher::PublishClock(Stamp stamp) {
   clock_pub_.publish(msg);
 }
 
+void SimulatorPublisher::PublishCameraInfo(Stamp stamp) {
+  info_pub_.publish(ToCameraInfo(intrinsics_, MakeHeader(stamp, frames_.optical_frame)));
+}
+
 void SimulatorPublisher::PublishReadings(const std::vector<ImuReading>& readings) {
   for (const ImuReading& reading : readings) {
     imu_pub_.publish(ToImu(reading, imu_options_, imu_rate_hz_, frames_.imu_frame));
@@ -96,7 +100,7 @@ void SimulatorPublisher::PublishTruth(const SimulatedFlight& flight) {
 
 void SimulatorPublisher::PublishImages(const RgbdImage& image) {
   const std_msgs::Header header = MakeHeader(image.stamp, frames_.optical_frame);
-  info_pub_.publish(ToCameraInfo(intrinsics_, header));
+  PublishCameraInfo(image.stamp);
   depth_pub_.publish(ToImage(image.depth_m, sensor_msgs::image_encodings::TYPE_32FC1, header));
   colour_pub_.publish(ToImage(ColourImage{image.colour, image.order}, header));
 }

@@ -29,6 +29,7 @@ class SimulatorPublisher {
                      const semantic_slam::CameraIntrinsics& intrinsics);
 
   void PublishClock(semantic_slam::Stamp stamp);
+  void PublishCameraInfo(semantic_slam::Stamp stamp);
   void PublishReadings(const std::vector<semantic_slam::ImuReading>& readings);
   void PublishTruth(const semantic_slam::SimulatedFlight& flight);
   void PublishImages(const semantic_slam::RgbdImage& image);
