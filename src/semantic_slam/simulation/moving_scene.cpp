@@ -57,6 +57,16 @@ bool Meets(const Eigen::AlignedBox3f& box_m, const Eigen::Vector3f& origin_m,
   return a.min(b).maxCoeff() <= std::min(a.max(b).minCoeff(), 1.0f) && a.max(b).minCoeff() >= 0.0f;
 }
 
+// Whether a lamp is in sight from the middle or a corner of a box.
+bool IsInLightOf(const Lamp& lamp, const RayScene& scene, const Eigen::AlignedBox3f& box_m) {
+  if (VisibleShare(lamp, scene, box_m.center()) > 0.0f) return true;
+  for (int i = 0; i < 8; ++i) {
+    const auto corner = static_cast<Eigen::AlignedBox3f::CornerType>(i);
+    if (VisibleShare(lamp, scene, box_m.corner(corner)) > 0.0f) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 MovingScene::MovingScene(const World& world, int first_part) {
@@ -93,7 +103,7 @@ void MovingScene::MoveTo(double time_s, const std::vector<Lamp>& lamps,
     }
     if (triangles_.corners.size() == first) continue;
     LightCorners(first, lamps, surroundings, gatherer);
-    AddShades(first, lamps);
+    AddShades(first, lamps, surroundings);
   }
   rays_.SetTriangles(kGeometry, triangles_.Positions(), triangles_.Corners(), kOpaque);
   rays_.Commit();
@@ -126,10 +136,12 @@ void MovingScene::LightCorners(std::size_t first, const std::vector<Lamp>& lamps
   }
 }
 
-void MovingScene::AddShades(std::size_t first, const std::vector<Lamp>& lamps) {
+void MovingScene::AddShades(std::size_t first, const std::vector<Lamp>& lamps,
+                            const StillScene& surroundings) {
   const Eigen::AlignedBox3f bounds_m = BoundsFrom(first);
   for (std::size_t i = 0; i < lamps.size(); ++i) {
     if (bounds_m.exteriorDistance(lamps[i].centre_m()) > kShadeReachM) continue;
+    if (!IsInLightOf(lamps[i], surroundings.rays(), bounds_m)) continue;
     const Eigen::Vector3f margin_m = Eigen::Vector3f::Constant(0.5f * lamps[i].side_m());
     shades_.push_back({i, {bounds_m.min() - margin_m, bounds_m.max() + margin_m}});
   }
@@ -150,6 +162,7 @@ Eigen::Vector3f MovingScene::TakenLight(const std::vector<Lamp>& lamps,
   const Eigen::Vector3f start_m = position_m + kLiftM * normal;
   for (const Shade& shade : shades_) {
     const Lamp& lamp = lamps[shade.lamp];
+    if (lamp.Strength(start_m, normal) <= 0.0f) continue;
     if (!Meets(shade.box_m, start_m, lamp.centre_m() - start_m)) continue;
     RayPacket packet;
     const std::array<float, kRaysPerPacket> strengths = lamp.Aim(start_m, normal, packet);

@@ -55,7 +55,7 @@ class MovingScene {
 
   void LightCorners(std::size_t first, const std::vector<Lamp>& lamps,
                     const StillScene& surroundings, const LightGatherer& gatherer);
-  void AddShades(std::size_t first, const std::vector<Lamp>& lamps);
+  void AddShades(std::size_t first, const std::vector<Lamp>& lamps, const StillScene& surroundings);
   Eigen::AlignedBox3f BoundsFrom(std::size_t first) const;
 
   std::vector<MovingObject> objects_;
