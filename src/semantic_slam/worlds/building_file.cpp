@@ -73,7 +73,7 @@ double HalfBehind(const Building& building, const std::vector<WallSite>& sites) 
 }
 
 void AddDoor(OpeningPlan& plan, const Building& building, const MaterialPalette& palette,
-             WorldBuilder& builder) {
+             WorldAssembly& assembly) {
   const std::vector<WallSite> sites = building.SitesOf(plan.hole);
   const WallSite& site = SiteFacing(plan, sites);
   const double front_m = 0.5 * building.wall_thickness_m();
@@ -93,11 +93,11 @@ void AddDoor(OpeningPlan& plan, const Building& building, const MaterialPalette&
           .cast<float>();
   const Rigid3d T = building.OpeningPose(plan.hole, site) *
                     Eigen::Translation3d(0.5 * (front_m - behind_m), 0, 0);
-  AddPiece(plan.reader, "door", request, palette, {T, std::nullopt, ""}, builder);
+  AddPiece(plan.reader, "door", request, palette, {T, std::nullopt, ""}, assembly);
 }
 
 void AddWindow(OpeningPlan& plan, const Building& building, const MaterialPalette& palette,
-               WorldBuilder& builder) {
+               WorldAssembly& assembly) {
   const std::vector<WallSite> sites = building.SitesOf(plan.hole);
   FurnitureRequest request;
   Eigen::Vector3f size_m = FindFurnitureKind("window").size_m;
@@ -107,17 +107,17 @@ void AddWindow(OpeningPlan& plan, const Building& building, const MaterialPalett
   const double behind_m = HalfBehind(building, sites);
   const Rigid3d T = building.OpeningPose(plan.hole, SiteFacing(plan, sites)) *
                     Eigen::Translation3d(kRebate_m + 0.5 * size_m.x() - behind_m, 0, 0);
-  AddPiece(plan.reader, "window", request, palette, {T, std::nullopt, ""}, builder);
+  AddPiece(plan.reader, "window", request, palette, {T, std::nullopt, ""}, assembly);
 }
 
 void AddOpening(OpeningPlan& plan, const Building& building, const MaterialPalette& palette,
-                WorldBuilder& builder) {
+                WorldAssembly& assembly) {
   bool framed = true;
   if (plan.kind == "passage") plan.reader.Read("frame", framed);
   if (plan.kind == "window") {
-    AddWindow(plan, building, palette, builder);
+    AddWindow(plan, building, palette, assembly);
   } else if (framed) {
-    AddDoor(plan, building, palette, builder);
+    AddDoor(plan, building, palette, assembly);
   } else {
     plan.reader.Finish();
   }
@@ -125,7 +125,7 @@ void AddOpening(OpeningPlan& plan, const Building& building, const MaterialPalet
 
 }  // namespace
 
-Building ReadBuilding(YamlReader& file, const MaterialPalette& palette, WorldBuilder& builder) {
+Building ReadBuilding(YamlReader& file, const MaterialPalette& palette, WorldAssembly& assembly) {
   double wall_thickness_m = 0.14;
   file.Read("wall_thickness_m", wall_thickness_m);
   Building building = Located(file, [&] { return Building(wall_thickness_m); });
@@ -138,8 +138,8 @@ Building ReadBuilding(YamlReader& file, const MaterialPalette& palette, WorldBui
     plans.push_back(ReadHole(reader));
     Located(reader, [&] { building.AddOpening(plans.back().hole); });
   }
-  builder.AddBuilding(building);
-  for (OpeningPlan& plan : plans) AddOpening(plan, building, palette, builder);
+  assembly.AddBuilding(building);
+  for (OpeningPlan& plan : plans) AddOpening(plan, building, palette, assembly);
   return building;
 }
 

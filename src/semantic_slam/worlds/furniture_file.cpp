@@ -60,8 +60,8 @@ std::optional<Walk> ReadWalk(YamlReader& reader, FurnitureRequest& request) {
 class FurnitureReader {
  public:
   FurnitureReader(YamlReader& file, const MaterialPalette& palette, const Building& building,
-                  WorldBuilder& builder)
-      : palette_(palette), placement_(building, builder), builder_(builder) {
+                  WorldAssembly& assembly)
+      : palette_(palette), placement_(building, assembly), assembly_(assembly) {
     YamlReader groups = file.Group("groups");
     if (file.Has("groups")) {
       for (const auto& entry : file.Require<YAML::Node>("groups")) {
@@ -104,20 +104,20 @@ class FurnitureReader {
       const Placeable piece{kind.mount, request.size_m.value_or(kind.size_m)};
       place.T_world_object = placement_.Read(reader, piece, prefix, T_world_frame);
     }
-    AddPiece(reader, name, request, palette_, place, builder_);
+    AddPiece(reader, name, request, palette_, place, assembly_);
   }
 
   const MaterialPalette& palette_;
   const PlacementReader placement_;
-  WorldBuilder& builder_;
+  WorldAssembly& assembly_;
   std::map<std::string, std::vector<YamlReader>> groups_;
 };
 
 }  // namespace
 
 void AddPiece(YamlReader& reader, const std::string& kind, FurnitureRequest request,
-              const MaterialPalette& palette, const PiecePlace& place, WorldBuilder& builder) {
-  std::string name = builder.FreeName(place.prefix + kind);
+              const MaterialPalette& palette, const PiecePlace& place, WorldAssembly& assembly) {
+  std::string name = assembly.FreeName(place.prefix + kind);
   if (reader.Has("name")) name = place.prefix + reader.Require<std::string>("name");
   request.seed = SeedOf(name);
   reader.Read("seed", request.seed);
@@ -128,13 +128,13 @@ void AddPiece(YamlReader& reader, const std::string& kind, FurnitureRequest requ
   materials.Finish();
   reader.Finish();
   Located(reader, [&] {
-    builder.Add(name, MakeFurniture(kind, request), place.T_world_object, place.walk);
+    assembly.Add(name, MakeFurniture(kind, request), place.T_world_object, place.walk);
   });
 }
 
 void ReadFurniture(YamlReader& file, const MaterialPalette& palette, const Building& building,
-                   WorldBuilder& builder) {
-  FurnitureReader furniture(file, palette, building, builder);
+                   WorldAssembly& assembly) {
+  FurnitureReader furniture(file, palette, building, assembly);
   for (const YamlReader& entry : file.Entries("furniture")) furniture.Add(entry);
 }
 

@@ -7,7 +7,7 @@
 #include "semantic_slam/worlds/building.h"
 #include "semantic_slam/worlds/furniture.h"
 #include "semantic_slam/worlds/material_file.h"
-#include "semantic_slam/worlds/world_builder.h"
+#include "semantic_slam/worlds/world_assembly.h"
 
 namespace semantic_slam {
 
@@ -21,11 +21,11 @@ struct PiecePlace {
 // Reads what the entry says of a piece besides its kind and place (`name`, `seed`, `materials`),
 // refuses what else it says, and adds the piece. Throws ConfigError naming file, line and key.
 void AddPiece(YamlReader& reader, const std::string& kind, FurnitureRequest request,
-              const MaterialPalette& palette, const PiecePlace& place, WorldBuilder& builder);
+              const MaterialPalette& palette, const PiecePlace& place, WorldAssembly& assembly);
 
 // Reads `groups` and `furniture` of a world file and adds all pieces. Throws ConfigError naming
 // file, line and key.
 void ReadFurniture(YamlReader& file, const MaterialPalette& palette, const Building& building,
-                   WorldBuilder& builder);
+                   WorldAssembly& assembly);
 
 }  // namespace semantic_slam

@@ -50,8 +50,8 @@ Eigen::Vector2d ReadPlace(YamlReader& reader, const std::string& key) {
 const WorldObject& PlacementReader::Named(YamlReader& reader, const std::string& key,
                                           const std::string& prefix) const {
   const auto name = reader.Require<std::string>(key);
-  const WorldObject* object = builder_.Find(prefix + name);
-  if (object == nullptr) object = builder_.Find(name);
+  const WorldObject* object = assembly_.Find(prefix + name);
+  if (object == nullptr) object = assembly_.Find(name);
   if (object == nullptr) reader.Refuse(key, "the name of a thing that the file has before");
   return *object;
 }

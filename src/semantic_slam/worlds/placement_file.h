@@ -7,7 +7,7 @@
 #include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/worlds/building.h"
 #include "semantic_slam/worlds/furniture.h"
-#include "semantic_slam/worlds/world_builder.h"
+#include "semantic_slam/worlds/world_assembly.h"
 
 namespace semantic_slam {
 
@@ -24,8 +24,8 @@ struct Placeable {
 // Not thread-safe; keeps references.
 class PlacementReader {
  public:
-  PlacementReader(const Building& building, const WorldBuilder& builder)
-      : building_(building), builder_(builder) {}
+  PlacementReader(const Building& building, const WorldAssembly& assembly)
+      : building_(building), assembly_(assembly) {}
 
   // Reads `at`, `yaw_deg` and `z_m` with one of `wall` (and `along_m`, `gap_m`), `on`, `beside` or
   // none of them. Names are first looked for with `prefix`; without any, places are in
@@ -42,7 +42,7 @@ class PlacementReader {
                            const std::string& prefix) const;
 
   const Building& building_;
-  const WorldBuilder& builder_;
+  const WorldAssembly& assembly_;
 };
 
 }  // namespace semantic_slam

@@ -7,7 +7,7 @@
 #include "semantic_slam/worlds/building_file.h"
 #include "semantic_slam/worlds/furniture_file.h"
 #include "semantic_slam/worlds/material_file.h"
-#include "semantic_slam/worlds/world_builder.h"
+#include "semantic_slam/worlds/world_assembly.h"
 
 namespace semantic_slam {
 namespace {
@@ -40,14 +40,14 @@ Light ReadLight(YamlReader& reader) {
 
 World LoadWorld(const std::string& path, const LabelVocabulary& vocabulary) {
   YamlReader file(LoadYamlMap(path), path);
-  WorldBuilder builder(std::filesystem::path(path).stem().string(), vocabulary);
-  builder.SetAmbient(ReadLightColour(file, "ambient_rgb", World().ambient_rgb));
+  WorldAssembly assembly(std::filesystem::path(path).stem().string(), vocabulary);
+  assembly.SetAmbient(ReadLightColour(file, "ambient_rgb", World().ambient_rgb));
   const MaterialPalette palette(file);
-  const Building building = ReadBuilding(file, palette, builder);
-  ReadFurniture(file, palette, building, builder);
-  for (YamlReader& light : file.Entries("lights")) builder.AddLight(ReadLight(light));
+  const Building building = ReadBuilding(file, palette, assembly);
+  ReadFurniture(file, palette, building, assembly);
+  for (YamlReader& light : file.Entries("lights")) assembly.AddLight(ReadLight(light));
   file.Finish();
-  return builder.Finish();
+  return assembly.Finish();
 }
 
 }  // namespace semantic_slam

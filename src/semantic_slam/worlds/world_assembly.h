@@ -16,9 +16,9 @@ namespace semantic_slam {
 std::optional<double> TopAt(const WorldObject& object, const Eigen::Vector2d& at_m);
 
 // Puts a world together piece by piece. Not thread-safe.
-class WorldBuilder {
+class WorldAssembly {
  public:
-  WorldBuilder(const std::string& name, const LabelVocabulary& vocabulary);
+  WorldAssembly(const std::string& name, const LabelVocabulary& vocabulary);
 
   // Adds floors, ceilings and walls of all rooms; their objects are called "kitchen/wall".
   void AddBuilding(const Building& building);

@@ -1,4 +1,4 @@
-#include "semantic_slam/worlds/world_builder.h"
+#include "semantic_slam/worlds/world_assembly.h"
 
 #include <algorithm>
 #include <limits>
@@ -36,13 +36,13 @@ std::optional<double> TopAt(const WorldObject& object, const Eigen::Vector2d& at
   return top;
 }
 
-WorldBuilder::WorldBuilder(const std::string& name, const LabelVocabulary& vocabulary)
+WorldAssembly::WorldAssembly(const std::string& name, const LabelVocabulary& vocabulary)
     : vocabulary_(vocabulary) {
   world_.name = name;
   world_.vocabulary_hash = vocabulary.hash();
 }
 
-int WorldBuilder::MaterialIndex(const Material& material) {
+int WorldAssembly::MaterialIndex(const Material& material) {
   const auto found = std::find(world_.materials.begin(), world_.materials.end(), material);
   if (found == world_.materials.end()) {
     world_.materials.push_back(material);
@@ -51,20 +51,20 @@ int WorldBuilder::MaterialIndex(const Material& material) {
   return static_cast<int>(found - world_.materials.begin());
 }
 
-const WorldObject* WorldBuilder::Find(const std::string& name) const {
+const WorldObject* WorldAssembly::Find(const std::string& name) const {
   const auto found = std::find_if(world_.objects.begin(), world_.objects.end(),
                                   [&](const WorldObject& object) { return object.name == name; });
   return found == world_.objects.end() ? nullptr : &*found;
 }
 
-std::string WorldBuilder::FreeName(const std::string& kind) const {
+std::string WorldAssembly::FreeName(const std::string& kind) const {
   for (int i = 1;; ++i) {
     std::string name = kind + "_" + std::to_string(i);
     if (Find(name) == nullptr) return name;
   }
 }
 
-WorldObject& WorldBuilder::AddObject(const std::string& name, const Furniture& piece) {
+WorldObject& WorldAssembly::AddObject(const std::string& name, const Furniture& piece) {
   const std::optional<LabelId> label = vocabulary_.Find(piece.label);
   if (!label) throw ConfigError("the vocabulary has no label " + piece.label);
   if (Find(name) != nullptr) throw ConfigError("two things are called " + name);
@@ -80,7 +80,7 @@ WorldObject& WorldBuilder::AddObject(const std::string& name, const Furniture& p
   return world_.objects.back();
 }
 
-void WorldBuilder::AddBuilding(const Building& building) {
+void WorldAssembly::AddBuilding(const Building& building) {
   for (const Room& room : building.rooms()) {
     for (const Furniture& structure : building.BuildRoom(room)) {
       AddObject(room.name + "/" + structure.label, structure).is_structure = true;
@@ -88,9 +88,9 @@ void WorldBuilder::AddBuilding(const Building& building) {
   }
 }
 
-const WorldObject& WorldBuilder::Add(const std::string& name, const Furniture& piece,
-                                     const Rigid3d& T_world_object,
-                                     const std::optional<Walk>& walk) {
+const WorldObject& WorldAssembly::Add(const std::string& name, const Furniture& piece,
+                                      const Rigid3d& T_world_object,
+                                      const std::optional<Walk>& walk) {
   WorldObject& object = AddObject(name, piece);
   object.walk = walk;
   object.T_world_object = walk ? walk->Pose(0.0) : T_world_object;
@@ -101,7 +101,7 @@ const WorldObject& WorldBuilder::Add(const std::string& name, const Furniture& p
   return object;
 }
 
-World WorldBuilder::Finish() {
+World WorldAssembly::Finish() {
   world_.bounds_m.setEmpty();
   for (const WorldObject& object : world_.objects) {
     if (object.IsMoving()) continue;
