@@ -66,6 +66,27 @@ TEST_F(BuildingFileTest, AWindowLooksIntoItsRoom) {
   EXPECT_NEAR(window.T_world_object.linear()(1, 0), 1.0, 1e-9);
 }
 
+TEST_F(BuildingFileTest, WhatFillsAHoleInAnOuterWallEndsNearItsOuterFace) {
+  const World world = Load(
+      "  - {kind: window, name: w, at: [2, 0]}\n"
+      "  - {kind: door, name: d, at: [0, 1.5]}\n");
+  const double outer_m = 0.05 - 0.22;  // from the inner face
+  Eigen::AlignedBox3d window;
+  Eigen::AlignedBox3d door;
+  const auto extend = [](Eigen::AlignedBox3d& box, const WorldObject& object) {
+    for (const Surface& surface : object.surfaces) {
+      for (const Eigen::Vector3f& p : surface.mesh.positions_m) {
+        box.extend(object.T_world_object * p.cast<double>());
+      }
+    }
+  };
+  extend(window, WorldText::Named(world, "w"));
+  extend(door, WorldText::Named(world, "d"));
+  EXPECT_NEAR(window.min().y(), outer_m + 0.02, 1e-6);
+  EXPECT_NEAR(door.min().x(), outer_m - 0.015, 1e-6);  // its casing is before the wall
+  EXPECT_NEAR(door.max().x(), 0.05 + 0.015, 1e-6);
+}
+
 TEST_F(BuildingFileTest, RefusesByFileLineAndKey) {
   EXPECT_EQ(ErrorOf("  - {kind: hatch, at: [4, 1]}\n"),
             "w.yaml:6: openings/0/kind = hatch, but must be door, passage or window");

@@ -69,7 +69,7 @@ const WallSite& SiteFacing(OpeningPlan& plan, const std::vector<WallSite>& sites
 // From the middle of the wall to the face that is away from the site's room.
 double HalfBehind(const Building& building, const std::vector<WallSite>& sites) {
   if (sites.size() > 1) return 0.5 * building.wall_thickness_m();
-  return building.HalfThickness(*sites[0].room, sites[0].side);
+  return building.HalfThickness(*sites[0].room, sites[0].side) - 0.5 * building.wall_thickness_m();
 }
 
 void AddDoor(OpeningPlan& plan, const Building& building, const MaterialPalette& palette,
