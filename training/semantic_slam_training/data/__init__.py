@@ -1,0 +1,1 @@
+"""Images and their truth, read from folders, varied at random, and put into batches."""

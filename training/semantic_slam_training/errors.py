@@ -1,0 +1,19 @@
+"""What goes wrong for reasons that the user can mend."""
+
+import pathlib
+import sys
+
+
+class TrainingError(Exception):
+    """One line that names the thing, its value and what was expected."""
+
+
+def run_command(main):
+    """Runs a command's `main`; a TrainingError ends it with one line and exit code 1."""
+    name = pathlib.Path(sys.argv[0]).name
+    try:
+        main()
+    except (TrainingError, OSError) as error:
+        sys.exit(f"{name}: {error}")
+    except KeyboardInterrupt:
+        sys.exit(f"{name}: interrupted")
