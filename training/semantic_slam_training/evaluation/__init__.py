@@ -1,0 +1,1 @@
+"""How good a network is, measured while it trains; the programs evaluate_* have the last word."""
