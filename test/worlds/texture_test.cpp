@@ -64,9 +64,9 @@ TEST(TextureTest, RugAndCorkAreEither) {
 
 TEST(TextureTest, PictureHasTheShapeOfItsSize) {
   const Texture texture(PictureOf("poster", 0.6f, 0.9f));
-  EXPECT_EQ(texture.image().cols, 400);
-  EXPECT_EQ(texture.image().rows, 600);
-  EXPECT_FLOAT_EQ(texture.texel_m(), 0.0015f);
+  EXPECT_EQ(texture.image().cols, 300);
+  EXPECT_EQ(texture.image().rows, 450);
+  EXPECT_FLOAT_EQ(texture.texel_m(), 0.002f);
 }
 
 TEST(TextureTest, HugeAndTinyPicturesStayWithinMemory) {
@@ -158,17 +158,17 @@ TEST(TextureTest, WhatRepeatsDoesSoOnBothSides) {
 TEST(TextureTest, PictureGoesOnAsAtItsEdge) {
   const Texture texture(PictureOf("painting", 0.6f, 0.5f));
   ExpectNear(texture.Sample(-5.0f, 0.2f, 0.0f), texture.Sample(0.0f, 0.2f, 0.0f), 0.0);
-  ExpectNear(texture.Sample(7.0f, 9.0f, 0.0f), texture.image().at<cv::Vec3b>(332, 399), 0.0);
+  ExpectNear(texture.Sample(7.0f, 9.0f, 0.0f), texture.image().at<cv::Vec3b>(249, 299), 0.0);
 }
 
 TEST(TextureTest, PictureIsNotSquashedInSmallerCopies) {
   // 401 x 267 texels: halves are rounded, and places on them must follow.
-  const Texture texture(PictureOf("poster", 0.6015f, 0.4005f));
+  const Texture texture(PictureOf("poster", 0.802f, 0.534f));
   const cv::Mat& image = texture.image();
   cv::Mat3b right = image.colRange(image.cols - 64, image.cols).rowRange(64, 128);
   const cv::Scalar mean = cv::mean(right);
   // 64 texels are cell 6 of 64 texels, smaller by 1.6 % than 401 / 6; bilinear across neighbours.
-  const cv::Vec3f seen = texture.Sample(0.6015f - 0.048f, 0.144f, 0.096f);
+  const cv::Vec3f seen = texture.Sample(0.802f - 0.064f, 0.192f, 0.128f);
   ExpectNear(seen, {float(mean[0]), float(mean[1]), float(mean[2])}, 25.0);
 }
 

@@ -18,7 +18,7 @@ struct Pattern {
 
   Extent extent = Extent::kPicture;
   Paint paint = nullptr;
-  double texel_m = 0.0015;  // of a picture: at least
+  double texel_m = 0.002;   // of a picture: at least
   cv::Size period_px;       // of what repeats: powers of two
   bool keeps_mean = false;  // the picture's mean is the material's colour
 };
@@ -31,7 +31,7 @@ inline Pattern Repeating(Pattern::Paint paint, double texel_m, cv::Size period_p
   return {Pattern::Extent::kRepeats, paint, texel_m, period_px, keeps_mean};
 }
 
-inline Pattern Picture(Pattern::Paint paint, double texel_m = 0.0015) {
+inline Pattern Picture(Pattern::Paint paint, double texel_m = 0.002) {
   return {Pattern::Extent::kPicture, paint, texel_m, {}, false};
 }
 

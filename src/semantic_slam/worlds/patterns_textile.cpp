@@ -8,8 +8,8 @@ namespace {
 
 // Threads along x and y, over and under each other.
 void AddWeave(Painter& painter, double thread_m, double contrast) {
-  painter.AddNoise(30 * thread_m, thread_m, contrast);
-  painter.AddNoise(thread_m, 30 * thread_m, contrast);
+  painter.AddNoise(10 * thread_m, thread_m, contrast);
+  painter.AddNoise(thread_m, 10 * thread_m, contrast);
 }
 
 // Soft creases in all directions.
@@ -34,14 +34,14 @@ void PaintCarpet(Painter& painter, const Bgr& colour) {
 // Coarse upholstery with slubs and the odd crease.
 void PaintFabric(Painter& painter, const Bgr& colour) {
   painter.Fill(colour);
-  AddWeave(painter, 0.005, 13);
-  const int slubs = cvRound(500 * painter.width_m() * painter.height_m());
+  AddWeave(painter, 0.004, 12);
+  const int slubs = cvRound(900 * painter.width_m() * painter.height_m());
   for (int i = 0; i < slubs; ++i) {
     const cv::Point2d at_m(painter.Uniform(0, painter.width_m()),
                            painter.Uniform(0, painter.height_m()));
-    const double length_m = painter.Uniform(0.01, 0.05);
+    const double length_m = painter.Uniform(0.005, 0.02);
     const cv::Point2d along = painter.Chance(0.5) ? cv::Point2d(1, 0) : cv::Point2d(0, 1);
-    painter.Line({at_m, at_m + length_m * along}, painter.Uniform(0.003, 0.007),
+    painter.Line({at_m, at_m + length_m * along}, painter.Uniform(0.003, 0.006),
                  painter.Near(colour, 38));
   }
   AddFolds(painter, 0.45, 5);

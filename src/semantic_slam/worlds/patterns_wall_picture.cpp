@@ -129,7 +129,7 @@ PatternTable WallPicturePatterns() {
   cork.extent = Pattern::Extent::kEither;
   return {{"poster", Picture(PaintPoster)},
           {"painting", Picture(PaintPainting)},
-          {"window_view", Picture(PaintStreet)},
+          {"window_view", Picture(PaintStreet, 0.003)},
           {"mirror", Picture(PaintMirror, 0.004)},
           {"clock_face", Picture(PaintClockFace, 0.001)},
           {"cork", cork}};

@@ -45,6 +45,7 @@ struct BoardLayout {
   double grain_contrast = 30;
   double ring_m = 0.012;
   int knots = 6;
+  double bareness = 1.0;  // share of grain, knots and gaps that paint does not hide
 };
 
 // The boards' upper left corners, row by row.
@@ -89,6 +90,8 @@ std::vector<cv::Point2d> Knots(Painter& painter, const BoardLayout& layout) {
 
 // Boards along x in staggered rows, each cut from another place of the trunk.
 void PaintBoards(Painter& painter, const Bgr& colour, const BoardLayout& layout) {
+  const double grain = layout.bareness * layout.grain_contrast;
+  const auto dark = [&](double shade) { return Mix(colour, colour * shade, layout.bareness); };
   painter.Fill(colour);
   cv::Mat1f rings = RingsOf(painter, layout.ring_m);
   const std::vector<cv::Point2d> knots_m = Knots(painter, layout);
@@ -97,31 +100,38 @@ void PaintBoards(Painter& painter, const Bgr& colour, const BoardLayout& layout)
   }
   const std::vector<cv::Point2d> corners_m = LayBoards(painter, layout);
   VaryByBoard(painter, layout, corners_m, 5.0, rings);
-  ShadeRings(rings, static_cast<float>(layout.grain_contrast));
-  VaryByBoard(painter, layout, corners_m, layout.shade_contrast, rings);
+  ShadeRings(rings, static_cast<float>(grain));
+  VaryByBoard(painter, layout, corners_m, layout.bareness * layout.shade_contrast, rings);
   painter.AddGrey(rings);
-  painter.AddNoise(0.06, 0.002, 0.35 * layout.grain_contrast);  // pores
+  painter.AddNoise(0.06, 0.002, 0.35 * grain);  // pores
   painter.AddNoise(0.35, 0.08, 6);
   for (const cv::Point2d& at_m : knots_m) {
-    painter.Ellipse(at_m, 0.013, 0.008, colour * 0.55);
-    painter.Ellipse(at_m, 0.008, 0.005, colour * 0.38);
+    painter.Ellipse(at_m, 0.013, 0.008, dark(0.55));
+    painter.Ellipse(at_m, 0.008, 0.005, dark(0.38));
   }
-  const Bgr gap = colour * 0.42;
+  const Bgr gap = dark(0.42);
   for (const cv::Point2d& at_m : corners_m) {
     painter.Rectangle(at_m.x, at_m.y, painter.width_m() / layout.per_row, layout.gap_m, gap);
     painter.Rectangle(at_m.x, at_m.y, layout.gap_m, painter.height_m() / layout.rows, gap);
   }
 }
 
+// Paint hides the grain of wood that is grey or white.
+double Bareness(const Bgr& colour) {
+  const auto [low, high] = std::minmax({colour[0], colour[1], colour[2]});
+  return std::clamp(0.2 + 2.0 * (high - low) / std::max(high, 1.0), 0.2, 1.0);
+}
+
 // Furniture: wide glued boards.
 void PaintWood(Painter& painter, const Bgr& colour) {
   BoardLayout layout;
   layout.rows = 8;
-  layout.per_row = 2;
+  layout.per_row = 1;
   layout.gap_m = 0.001;
   layout.shade_contrast = 9;
+  layout.bareness = Bareness(colour);
   PaintBoards(painter, colour, layout);
-  painter.Flecks(120, 0.003, 0.01, colour * 0.7, 20);
+  painter.Flecks(120 * layout.bareness, 0.003, 0.01, colour * 0.7, 20);
 }
 
 void PaintParquet(Painter& painter, const Bgr& colour) {
@@ -138,7 +148,7 @@ void PaintParquet(Painter& painter, const Bgr& colour) {
 }  // namespace
 
 PatternTable WoodPatterns() {
-  return {{"wood", Repeating(PaintWood, 0.002, {1024, 512})},
+  return {{"wood", Repeating(PaintWood, 0.0025, {512, 512})},
           {"parquet", Repeating(PaintParquet, 0.0025, {1024, 1024})}};
 }
 
