@@ -99,6 +99,18 @@ TEST(MapEvaluationTest, WhatNobodySawIsNotExpected) {
   EXPECT_EQ(Evaluate(run, options).objects->expected, 0u);
 }
 
+TEST(MapEvaluationTest, AStraightPathIsEnoughToTellHowTheMapLies) {
+  Trajectory truth;
+  RunOutputs run;
+  for (int i = 0; i < 10; ++i) {
+    truth.push_back(Looking(i, {0.5 + 0.1 * i, 1.5, 1.2}, 0.0));
+    run.trajectory.push_back({truth.back().stamp, SmallMapPose().inverse() * truth.back().pose});
+  }
+  const MapEvaluation evaluation =
+      EvaluateMaps(SmallWorld(), SmallVocabulary(), truth, *SmallCamera(), run, SmallEvaluation());
+  EXPECT_TRUE(evaluation.T_world_map.isApprox(SmallMapPose(), 1e-6));
+}
+
 TEST(MapEvaluationTest, RefusesATrajectoryOfAnotherTime) {
   RunOutputs run = PerfectRun();
   for (StampedPose& stamped : run.trajectory) stamped.stamp.ns += 3'600'000'000'000;

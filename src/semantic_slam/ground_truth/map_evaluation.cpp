@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "semantic_slam/common/label_check.h"
+#include "semantic_slam/evaluation/alignment.h"
 #include "semantic_slam/ground_truth/object_truth.h"
 
 namespace semantic_slam {
 namespace {
 
 constexpr double kAreaSampleM = 0.02;
+constexpr double kReachM = 2.0;  // from a camera to what it sees
 
 // By label.
 std::vector<bool> ClassesOfInterest(const MapEvaluationOptions& options,
@@ -24,6 +26,21 @@ std::vector<bool> ClassesOfInterest(const MapEvaluationOptions& options,
     is_of_interest[label] = false;
   }
   return is_of_interest;
+}
+
+// T_world_map that fits best to what the cameras see: their positions and places about them.
+// Positions alone leave it open how a map is turned about a straight path.
+Rigid3d AlignViews(const std::vector<MatchedPose>& matches) {
+  std::vector<MatchedPose> places;
+  for (const MatchedPose& match : matches) {
+    places.push_back(match);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Translation3d beside(kReachM * Eigen::Vector3d::Unit(axis));
+      places.push_back(
+          {match.stamp, match.T_reference_sensor * beside, match.T_estimate_sensor * beside});
+    }
+  }
+  return AlignTrajectories(places);
 }
 
 LabelId ClassOf(const MapObject& object) {
@@ -42,7 +59,7 @@ class Evaluator {
         is_of_interest_(ClassesOfInterest(options, vocabulary)),
         surfaces_(world) {
     result_.trajectory = CompareTrajectories(T_world_camera, outputs.trajectory, {}, {});
-    result_.T_world_map = result_.trajectory.T_reference_estimate;
+    result_.T_world_map = AlignViews(result_.trajectory.matches);
     result_.flight_plan =
         TrueFloorPlan(world, FlightBand(FlightHeight(T_world_camera), options.flight_band_m));
     result_.true_objects = TrueObjects(world, vocabulary).objects;

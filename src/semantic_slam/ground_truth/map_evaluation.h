@@ -68,7 +68,8 @@ double FlightHeight(const Trajectory& T_world_camera);
 // The true floor plan about a height, as a planar scan there could see it.
 FloorPlanOptions FlightBand(double height_m, double half_width_m);
 
-// Compares a run with the world, after aligning its trajectory to the true one.
+// Compares a run with the world, after aligning its poses, positions and directions, to the true
+// ones.
 //
 //   T_world_camera  the true trajectory of the optical frame
 //
