@@ -134,7 +134,7 @@ std::vector<FurnitureKind> HouseholdKinds() {
            "toy",
            Mount::kFloor,
            {0.26f, 0.28f, 0.36f},
-           {{"fur", MakeMaterial("rug", {156, 108, 64})},
+           {{"fur", MakeMaterial("carpet", {156, 108, 64})},
             {"snout", MakeMaterial("cloth", {214, 180, 130})},
             {"eyes", MakeMaterial("plastic", {24, 20, 18}, 0.6f)}},
            {},

@@ -65,10 +65,10 @@ void AddTrunk(FurnitureBuilder& b) {
 }
 
 void AddHead(FurnitureBuilder& b) {
-  b.Add("skin", CylinderMesh({-0.01f, 0, 1.45f}, 0.058f, 0.052f, 0.1f));
+  b.Add("skin", CylinderMesh({-0.008f, 0, 1.45f}, 0.064f, 0.056f, 0.1f));
   b.Add("skin", EllipsoidMesh({0.012f, 0, 1.63f}, {0.094f, 0.076f, 0.12f}, 20));
   b.Add("skin", EllipsoidMesh({0.105f, 0, 1.615f}, {0.018f, 0.014f, 0.025f}, 10));
-  b.Add("hair", EllipsoidMesh({-0.012f, 0, 1.668f}, {0.1f, 0.084f, 0.1f}, 20));
+  b.Add("hair", EllipsoidMesh({-0.018f, 0, 1.67f}, {0.106f, 0.09f, 0.112f}, 20));
   for (const float side : {-1.0f, 1.0f}) {
     b.Add("skin", EllipsoidMesh({0.0f, side * 0.078f, 1.62f}, {0.018f, 0.01f, 0.03f}, 10));
     b.Add("hair", EllipsoidMesh({0.097f, side * 0.033f, 1.64f}, {0.008f, 0.013f, 0.007f}, 8));
