@@ -24,7 +24,9 @@ TEST(LampsTest, IsOfStrengthOneOnTheFloor2mBelow) {
 
 TEST(LampsTest, LightOfAllThatIsInSightAddsUp) {
   const RayScene nothing(RayScene::Lifetime::kStill);
-  const Eigen::Vector3f light = DirectLight({LampAt2m(), LampAt2m()}, nothing, {0, 0, 0}, kUp);
+  const LampLight both = LightOf({LampAt2m(), LampAt2m()}, nothing, {0, 0, 0}, kUp);
+  EXPECT_EQ(both.lamps, OnlyLamp(0) | OnlyLamp(1));
+  const Eigen::Vector3f light = both.irradiance;
   // 4 %: the lamp's rim is farther away than its middle.
   EXPECT_NEAR(light[2], 2.0f, 0.08f);
   EXPECT_NEAR(light[1] / light[2], 0.5f, 1e-5f);
@@ -37,9 +39,12 @@ TEST(LampsTest, EdgesThrowSoftShadows) {
   scene.SetTriangles(0, board.positions_m, board.triangles, kOpaque);
   scene.Commit();
   const std::vector<Lamp> lamps{LampAt2m(0.4)};
-  const auto light_at = [&](float x_m) { return DirectLight(lamps, scene, {x_m, 0, 0}, kUp)[2]; };
+  const auto light_at = [&](float x_m) {
+    return LightOf(lamps, scene, {x_m, 0, 0}, kUp).irradiance[2];
+  };
   // The edge is half way up, so the half shadow is as wide as the lamp: from -0.2 m to 0.2 m.
   EXPECT_EQ(light_at(0.3f), 0.0f);
+  EXPECT_EQ(LightOf(lamps, scene, {0.3f, 0, 0}, kUp).lamps, 0u);
   EXPECT_NEAR(light_at(0.0f), 0.5f, 0.06f);  // a ray of 16
   EXPECT_GT(light_at(-0.3f), 0.9f);
   float before = 1.1f;

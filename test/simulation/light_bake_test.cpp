@@ -19,18 +19,23 @@ class LitFloor {
               kGrey, scene_);
   }
 
-  // `below_m`: from where to look down.
-  float At(float x_m, float y_m, float below_m = 0.3f) const {
-    RayPacket packet;
-    packet.Clear();
-    packet.Set(0, {x_m, y_m, below_m}, {0, 0, -1});
-    scene_.rays().FindHits(packet, false);
-    return scene_.PointAt(packet, 0, {x_m, y_m, 0}, {0, 0, -1}).irradiance[1];
+  float At(float x_m, float y_m) const { return PointAt(x_m, y_m).irradiance[1]; }
+
+  const SceneTriangle& TriangleAt(float x_m, float y_m) const {
+    return *PointAt(x_m, y_m).triangle;
   }
 
   const StillScene& scene() const { return scene_; }
 
  private:
+  SurfacePoint PointAt(float x_m, float y_m) const {
+    RayPacket packet;
+    packet.Clear();
+    packet.Set(0, {x_m, y_m, 0.3f}, {0, 0, -1});
+    scene_.rays().FindHits(packet, false);
+    return scene_.PointAt(packet, 0, {x_m, y_m, 0}, {0, 0, -1});
+  }
+
   StillScene scene_;
 };
 
@@ -57,6 +62,8 @@ TEST(LightBakeTest, AClosedRoomNextToALitOneStaysDark) {
   builder.AddRoom(1, {2.1f, -2, 0}, {4, 2, 2.5f});  // they share a wall
   const LitFloor floor(builder);
   EXPECT_GT(floor.At(1.98f, 1.0f), 0.1f);
+  EXPECT_EQ(floor.TriangleAt(1.98f, 1.0f).lamps, OnlyLamp(0));
+  EXPECT_EQ(floor.TriangleAt(3.0f, 1.0f).lamps, 0u);
   for (float x_m = 2.11f; x_m < 4.0f; x_m += 0.05f) {
     // 2e-3: what solids hide is relied on to a thousandth.
     EXPECT_LT(floor.At(x_m, 1.0f), 2e-3f) << x_m;

@@ -36,9 +36,11 @@ class Street {
     return moving_->TakenLight(lamps_, *still_, {x_m, y_m, 0}, Eigen::Vector3f::UnitZ());
   }
   float Lamplight(float x_m, float y_m) const {
-    return DirectLight(lamps_, still_->rays(), {x_m, y_m, 0.002f}, Eigen::Vector3f::UnitZ())[0];
+    return LightOf(lamps_, still_->rays(), {x_m, y_m, 0.002f}, Eigen::Vector3f::UnitZ())
+        .irradiance[0];
   }
   const StillScene& still() const { return *still_; }
+  const std::vector<Lamp>& lamps() const { return lamps_; }
 
  private:
   WorldBuilder builder_;
@@ -94,6 +96,10 @@ TEST(MovingSceneTest, TheyTakeTheLampsLightFromWhatIsBehindThem) {
   street.At(0.0);
   EXPECT_NEAR(street.TakenLight(0.0f, -0.5f)[0], street.Lamplight(0.0f, -0.5f), 1e-5f);
   EXPECT_EQ(street.TakenLight(0.0f, 1.5f)[0], 0.0f);
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
+  EXPECT_EQ(street.At(0.0).TakenLight(street.lamps(), street.still(), {0, -0.5f, 0}, up, 0).norm(),
+            0.0f)
+      << "no lamp shines there";
   street.At(3.0);
   EXPECT_EQ(street.TakenLight(0.0f, -0.5f)[0], 0.0f);
 }

@@ -30,7 +30,9 @@ class ShaderTest : public testing::Test {
                         const RayScene& scene = Nothing()) const {
     SceneSurface surface;
     surface.material = material;
+    const SceneTriangle triangle;
     SurfacePoint point;
+    point.triangle = &triangle;
     point.surface = &surface;
     point.position_m.setZero();
     point.normal = Eigen::Vector3f::UnitZ();

@@ -98,7 +98,7 @@ cv::Vec3b FrameTracer::ColourOf(const Met& met, const Aim& aim) const {
   Eigen::Vector3f irradiance = met.point.irradiance;
   if (!met.moves) {
     irradiance -= scene_.moving.TakenLight(scene_.lamps, scene_.still, met.point.position_m,
-                                           met.point.normal);
+                                           met.point.normal, met.point.triangle->lamps);
     irradiance = irradiance.cwiseMax(0.0f);
   }
   const Eigen::Vector3f to_point = static_cast<float>(met.depth_m) * aim.ray.cast<float>();

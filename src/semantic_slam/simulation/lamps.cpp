@@ -56,11 +56,12 @@ std::array<float, kRaysPerPacket> Lamp::Aim(const Eigen::Vector3f& position_m,
   return strengths;
 }
 
-Eigen::Vector3f DirectLight(const std::vector<Lamp>& lamps, const RayScene& scene,
-                            const Eigen::Vector3f& position_m, const Eigen::Vector3f& normal) {
+LampLight LightOf(const std::vector<Lamp>& lamps, const RayScene& scene,
+                  const Eigen::Vector3f& position_m, const Eigen::Vector3f& normal) {
   RayPacket packet;
-  Eigen::Vector3f light = Eigen::Vector3f::Zero();
-  for (const Lamp& lamp : lamps) {
+  LampLight light;
+  for (std::size_t lamp_index = 0; lamp_index < lamps.size(); ++lamp_index) {
+    const Lamp& lamp = lamps[lamp_index];
     if (!MayReach(lamp, position_m, normal)) continue;
     const std::array<float, kRaysPerPacket> strengths = lamp.Aim(position_m, normal, packet);
     scene.FindOccluded(packet);
@@ -68,7 +69,9 @@ Eigen::Vector3f DirectLight(const std::vector<Lamp>& lamps, const RayScene& scen
     for (int i = 0; i < kRaysPerPacket; ++i) {
       if (!packet.IsOccluded(i)) strength += strengths[i];
     }
-    light += strength * lamp.radiant();
+    if (strength <= 0.0f) continue;
+    light.irradiance += strength * lamp.radiant();
+    light.lamps |= OnlyLamp(lamp_index);
   }
   return light;
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "semantic_slam/simulation/ray_scene.h"
+#include "semantic_slam/simulation/scene_triangles.h"
 #include "semantic_slam/worlds/world.h"
 
 namespace semantic_slam {
@@ -38,10 +39,14 @@ class Lamp {
   std::array<Eigen::Vector3f, kRaysPerPacket> points_m_;  // spread evenly over the square
 };
 
-// Irradiance (blue, green, red) by all `lamps` at a place of a surface, where `scene` throws its
-// shadows.
-Eigen::Vector3f DirectLight(const std::vector<Lamp>& lamps, const RayScene& scene,
-                            const Eigen::Vector3f& position_m, const Eigen::Vector3f& normal);
+struct LampLight {
+  Eigen::Vector3f irradiance = Eigen::Vector3f::Zero();  // blue, green, red
+  LampSet lamps = 0;                                     // that it comes from
+};
+
+// The light of all `lamps` at a place of a surface, where `scene` throws its shadows.
+LampLight LightOf(const std::vector<Lamp>& lamps, const RayScene& scene,
+                  const Eigen::Vector3f& position_m, const Eigen::Vector3f& normal);
 
 // What of a lamp is in sight from a place in the air, 0 to 1.
 float VisibleShare(const Lamp& lamp, const RayScene& scene, const Eigen::Vector3f& position_m);

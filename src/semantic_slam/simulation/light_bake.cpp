@@ -37,15 +37,20 @@ LightSample Weighted(const Eigen::Vector3f& irradiance, float reliance) {
   return reliance * irradiance.homogeneous();
 }
 
-std::vector<LightSample> LightOfLamps(const std::vector<Lamp>& lamps, const StillScene& scene) {
+std::vector<LampLight> DirectLight(const std::vector<Lamp>& lamps, const StillScene& scene) {
   const std::vector<LightSite>& sites = scene.sites();
-  std::vector<LightSample> light(sites.size(), LightSample::Zero());
+  std::vector<LampLight> light(sites.size());
   ForEachInParallel(sites.size(), [&](std::size_t i) {
     if (!IsOnSurface(sites[i])) return;
-    light[i] =
-        Weighted(DirectLight(lamps, scene.rays(), StartAbove(sites[i]), sites[i].normal), 1.0f);
+    light[i] = LightOf(lamps, scene.rays(), StartAbove(sites[i]), sites[i].normal);
   });
   return light;
+}
+
+std::vector<LampSet> LampsOfParts(const std::vector<LampLight>& direct, const StillScene& scene) {
+  std::vector<LampSet> lamps(scene.part_count(), 0);
+  for (std::size_t i = 0; i < direct.size(); ++i) lamps[scene.site_parts()[i]] |= direct[i].lamps;
+  return lamps;
 }
 
 std::vector<LightSample> IndirectLight(const LightGatherer& gatherer, const StillScene& scene) {
@@ -72,13 +77,15 @@ void SmoothOnGrids(const StillScene& scene, std::vector<LightSample>& light) {
 
 void BakeLight(const std::vector<Lamp>& lamps, const Eigen::Vector3f& ambient,
                const std::vector<Reflectance>& reflectances, StillScene& scene) {
-  const std::vector<LightSample> direct = LightOfLamps(lamps, scene);
-  scene.SetLight(direct);
-  std::vector<LightSample> light =
-      IndirectLight(LightGatherer(scene, reflectances, ambient), scene);
+  const std::vector<LampLight> direct = DirectLight(lamps, scene);
+  scene.SetLamps(LampsOfParts(direct, scene));
+  std::vector<LightSample> light(direct.size());
+  for (std::size_t i = 0; i < light.size(); ++i) light[i] = Weighted(direct[i].irradiance, 1.0f);
+  scene.SetLight(light);
+  light = IndirectLight(LightGatherer(scene, reflectances, ambient), scene);
   SmoothOnGrids(scene, light);
   for (std::size_t i = 0; i < light.size(); ++i) {
-    light[i].head<3>() += light[i][3] * direct[i].head<3>();
+    light[i].head<3>() += light[i][3] * direct[i].irradiance;
   }
   scene.SetLight(light);
 }

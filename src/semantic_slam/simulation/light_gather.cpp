@@ -12,7 +12,7 @@ namespace semantic_slam {
 namespace {
 
 constexpr int kPackets = 2;             // of rays per place
-constexpr float kAmbientReachM = 0.8f;  // surfaces nearer than that take light from everywhere away
+constexpr float kAmbientReachM = 1.5f;  // surfaces nearer than that take light from everywhere away
 constexpr float kGoldenRatio = 0.61803399f;
 
 // Directions about z, more of them near it, as the cosine.

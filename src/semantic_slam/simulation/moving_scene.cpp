@@ -14,6 +14,7 @@ namespace {
 constexpr float kCornerSpacingM = 0.15f;  // of corners, where light is known
 constexpr float kShadeReachM = 6.0f;      // lamps farther from what moves throw no shadow of it
 constexpr float kLiftM = 0.002f;          // shadow rays start that far above the surface
+constexpr float kFaintShade = 0.005f;     // light that would not be missed
 constexpr std::uint64_t kGatherSeed = 1;
 
 Rigid3d SwungPose(const Swing& swing, double time_s) {
@@ -125,14 +126,20 @@ void MovingScene::LightCorners(std::size_t first, const std::vector<Lamp>& lamps
   for (std::size_t i = first; i < triangles_.corners.size(); ++i) {
     triangles_.corner_light[i] = around.On(triangles_.corners[i].normal).homogeneous();
   }
-  for (const Lamp& lamp : lamps) {
+  LampSet lit_by = 0;
+  for (std::size_t lamp_index = 0; lamp_index < lamps.size(); ++lamp_index) {
+    const Lamp& lamp = lamps[lamp_index];
     const float share = VisibleShare(lamp, surroundings.rays(), middle_m);
     if (share <= 0.0f) continue;
+    lit_by |= OnlyLamp(lamp_index);
     for (std::size_t i = first; i < triangles_.corners.size(); ++i) {
       const SceneCorner& corner = triangles_.corners[i];
       triangles_.corner_light[i].head<3>() +=
           share * lamp.Strength(corner.position_m, corner.normal) * lamp.radiant();
     }
+  }
+  for (SceneTriangle& triangle : triangles_.triangles) {
+    if (triangle.corners[0] >= static_cast<int>(first)) triangle.lamps = lit_by;
   }
 }
 
@@ -157,12 +164,13 @@ SurfacePoint MovingScene::PointAt(const RayPacket& packet, int lane,
 Eigen::Vector3f MovingScene::TakenLight(const std::vector<Lamp>& lamps,
                                         const StillScene& surroundings,
                                         const Eigen::Vector3f& position_m,
-                                        const Eigen::Vector3f& normal) const {
+                                        const Eigen::Vector3f& normal, LampSet lit_by) const {
   Eigen::Vector3f taken = Eigen::Vector3f::Zero();
   const Eigen::Vector3f start_m = position_m + kLiftM * normal;
   for (const Shade& shade : shades_) {
     const Lamp& lamp = lamps[shade.lamp];
-    if (lamp.Strength(start_m, normal) <= 0.0f) continue;
+    if ((lit_by & OnlyLamp(shade.lamp)) == 0) continue;
+    if (lamp.Strength(start_m, normal) * lamp.radiant().maxCoeff() < kFaintShade) continue;
     if (!Meets(shade.box_m, start_m, lamp.centre_m() - start_m)) continue;
     RayPacket packet;
     const std::array<float, kRaysPerPacket> strengths = lamp.Aim(start_m, normal, packet);

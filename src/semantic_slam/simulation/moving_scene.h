@@ -32,10 +32,10 @@ class MovingScene {
                        const Eigen::Vector3f& direction) const;
 
   // Irradiance (blue, green, red) by `lamps` that a place on something still would get if nothing
-  // moved, and does not.
+  // moved, and does not. Lamps that are not in `lit_by` do not shine there anyhow.
   Eigen::Vector3f TakenLight(const std::vector<Lamp>& lamps, const StillScene& surroundings,
-                             const Eigen::Vector3f& position_m,
-                             const Eigen::Vector3f& normal) const;
+                             const Eigen::Vector3f& position_m, const Eigen::Vector3f& normal,
+                             LampSet lit_by = kAllLamps) const;
 
  private:
   struct MovingSurface {

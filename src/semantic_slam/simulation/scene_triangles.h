@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,6 +15,15 @@ namespace semantic_slam {
 
 constexpr int kNoGrid = -1;
 
+// Some of the lamps of a world: bit i % 64 stands for lamp i, and in a large world for more of
+// them.
+using LampSet = std::uint64_t;
+constexpr LampSet kAllLamps = ~LampSet{0};
+
+inline LampSet OnlyLamp(std::size_t i) {
+  return LampSet{1} << (i % 64);
+}
+
 struct SceneCorner {
   Eigen::Vector3f position_m;
   Eigen::Vector3f normal;
@@ -23,9 +34,10 @@ struct SceneTriangle {
   Eigen::Vector3d normal;  // of its plane, of unit length
   double offset_m = 0.0;   // normal . p of all points p of the plane
   Eigen::Vector3i corners = Eigen::Vector3i::Zero();
-  int surface = 0;     // index into SceneTriangles::surfaces
-  int part = 0;        // triangles of one smooth piece of surface have the same
-  int grid = kNoGrid;  // that knows its light; without one, its corners do
+  int surface = 0;            // index into SceneTriangles::surfaces
+  int part = 0;               // triangles of one smooth piece of surface have the same
+  int grid = kNoGrid;         // that knows its light; without one, its corners do
+  LampSet lamps = kAllLamps;  // that may shine on it
 };
 
 // What all triangles of a Surface of the world have in common.

@@ -68,7 +68,9 @@ Eigen::Vector3f Highlights(const std::vector<Lamp>& lamps, const RayScene& scene
   const Eigen::Vector3f mirrored = direction - 2.0f * direction.dot(point.normal) * point.normal;
   const Eigen::Vector3f start_m = point.position_m + kLiftM * point.normal;
   Eigen::Vector3f light = Eigen::Vector3f::Zero();
-  for (const Lamp& lamp : lamps) {
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    if ((point.triangle->lamps & OnlyLamp(i)) == 0) continue;
+    const Lamp& lamp = lamps[i];
     const Eigen::Vector3f towards = TowardsLamp(lamp, point.position_m, mirrored);
     if (towards.z() <= 0.0f || towards.dot(point.normal) <= 0.0f) continue;
     const float cosine = mirrored.dot(towards) / towards.norm();

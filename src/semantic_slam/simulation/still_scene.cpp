@@ -39,7 +39,9 @@ StillScene::StillScene(const World& world) {
   first_shining_ = static_cast<unsigned>(triangles_.triangles.size());
   AddSurfaces(world, true);
   sites_.insert(sites_.end(), corner_sites_.begin(), corner_sites_.end());
+  site_parts_.insert(site_parts_.end(), corner_site_parts_.begin(), corner_site_parts_.end());
   corner_sites_ = {};
+  corner_site_parts_ = {};
   const std::vector<Eigen::Vector3f> positions_m = triangles_.Positions();
   const std::vector<Eigen::Vector3i> corners = triangles_.Corners();
   const auto first_shining = corners.begin() + first_shining_;
@@ -70,8 +72,10 @@ void StillScene::AddFlatPart(const Mesh& part, const Rigid3d& T_world_object) {
   grids_.emplace_back(in_world, kGridSpacingM);
   const std::vector<LightSite> sites = grids_.back().Sites(in_world);
   sites_.insert(sites_.end(), sites.begin(), sites.end());
+  site_parts_.resize(sites_.size(), part_count_);
   corner_sites_.resize(corner_sites_.size() + part.positions_m.size(),
                        {Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()});
+  corner_site_parts_.resize(corner_sites_.size(), part_count_);
   triangles_.AddPart(part, T_world_object, part_count_++, static_cast<int>(grids_.size()) - 1);
 }
 
@@ -83,6 +87,7 @@ void StillScene::AddCurvedPart(const Mesh& part, const Rigid3d& T_world_object) 
   for (std::size_t i = 0; i < in_world.positions_m.size(); ++i) {
     corner_sites_.push_back(SiteOf(in_world, i, middle_m));
   }
+  corner_site_parts_.resize(corner_sites_.size(), part_count_);
   triangles_.AddPart(part, T_world_object, part_count_++, kNoGrid);
 }
 
@@ -104,6 +109,12 @@ void StillScene::SetLight(const std::vector<LightSample>& light) {
     next += static_cast<std::ptrdiff_t>(grid.samples().size());
   }
   std::copy(next, light.end(), triangles_.corner_light.begin());
+}
+
+void StillScene::SetLamps(const std::vector<LampSet>& lamps_of_parts) {
+  for (SceneTriangle& triangle : triangles_.triangles) {
+    triangle.lamps = lamps_of_parts[triangle.part];
+  }
 }
 
 std::vector<std::size_t> StillScene::SiteRanges() const {

@@ -31,8 +31,14 @@ class StillScene {
   // Where the light must be known: of all grids, one after the other, then of all corners.
   const std::vector<LightSite>& sites() const { return sites_; }
 
+  // By site: the part it belongs to.
+  const std::vector<int>& site_parts() const { return site_parts_; }
+
   // Takes the light at all sites, in their order.
   void SetLight(const std::vector<LightSample>& light);
+
+  // Takes the lamps that shine on each part.
+  void SetLamps(const std::vector<LampSet>& lamps_of_parts);
 
   // The first of the sites of each grid, then the first of the corners, then their number.
   std::vector<std::size_t> SiteRanges() const;
@@ -48,7 +54,9 @@ class StillScene {
   unsigned first_shining_ = 0;
   std::vector<LightGrid> grids_;
   std::vector<LightSite> sites_;
-  std::vector<LightSite> corner_sites_;  // only while this is built
+  std::vector<int> site_parts_;
+  std::vector<LightSite> corner_sites_;  // these two only while this is built
+  std::vector<int> corner_site_parts_;
   int part_count_ = 0;
   RayScene rays_{RayScene::Lifetime::kStill};
 };

@@ -6,7 +6,7 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kExposure = 1.5;
+constexpr double kExposure = 1.3;
 
 }  // namespace
 
