@@ -4,31 +4,15 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "semantic_slam/worlds/triangle_distance.h"
 #include "semantic_slam/worlds/world.h"
 
 namespace semantic_slam {
-
-// Distance from a point to a triangle (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-inline double DistanceToTriangle(const Eigen::Vector3d& p,
-                                 const std::array<Eigen::Vector3d, 3>& t) {
-  const Eigen::Vector3d ab = t[1] - t[0];
-  const Eigen::Vector3d ac = t[2] - t[0];
-  const auto to_edge = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& along) {
-    const double share = std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (p - from - share * along).norm();
-  };
-  const Eigen::Vector3d normal = ab.cross(ac);
-  const bool inside = normal.dot(ab.cross(p - t[0])) >= 0 &&
-                      normal.dot((t[2] - t[1]).cross(p - t[1])) >= 0 &&
-                      normal.dot((-ac).cross(p - t[2])) >= 0;
-  if (inside && normal.norm() > 0) return std::abs(normal.normalized().dot(p - t[0]));
-  return std::min({to_edge(t[0], ab), to_edge(t[0], ac), to_edge(t[1], t[2] - t[1])});
-}
 
 // An object of a world at time 0 as bare triangles in the world frame.
 class Solid {
@@ -53,7 +37,7 @@ class Solid {
   double Distance(const Eigen::Vector3d& p, double limit) const {
     if (bounds_.exteriorDistance(p) >= limit) return limit;
     for (const auto& triangle : triangles_) {
-      limit = std::min(limit, DistanceToTriangle(p, triangle));
+      limit = std::min(limit, DistanceToTriangle(p, triangle[0], triangle[1], triangle[2]));
     }
     return limit;
   }
