@@ -23,6 +23,7 @@ using semantic_slam::RelativeAttitudeCommand;
 using semantic_slam::RenderedView;
 using semantic_slam::SecondsBetween;
 using semantic_slam::SimulatedFlight;
+using semantic_slam::SimulatedImage;
 using semantic_slam::World;
 using SteadyClock = std::chrono::steady_clock;
 
@@ -141,26 +142,27 @@ void SimulatorNode::ShowImage() {
   const Stamp stamp = flight_->stamp();
   publisher_.PublishClock(stamp);
   publisher_.PublishTruth(*flight_);
-  const semantic_slam::SimulatedImage image =
-      camera_.Capture(flight_->T_world_camera(), stamp, WorldTime(stamp));
+  const SimulatedImage image = camera_.Capture(flight_->T_world_camera(), stamp, WorldTime(stamp));
   publisher_.PublishImages(image.measured);
   health_.AddLatency(start);
-  ShowNetworks(image.truth, stamp);
+  ShowNetworks(image, stamp);
   std::lock_guard<std::mutex> lock(mutex_);
   ++progress_.images;
   progress_.stamp = stamp;
 }
 
-void SimulatorNode::ShowNetworks(const RenderedView& truth, Stamp stamp) {
+void SimulatorNode::ShowNetworks(const SimulatedImage& image, Stamp stamp) {
+  const RenderedView& truth = image.truth;
   if (parameters_.node.publish_labels && publisher_.wants_segmentation() &&
       labels_throttle_.IsDue(stamp)) {
-    publisher_.PublishSegmentation(label_errors_.Apply(truth.labels, truth.instances, stamp));
+    publisher_.PublishSegmentation(label_errors_.Apply(truth.labels, truth.instances, stamp),
+                                   image.measured);
   }
   if (parameters_.node.publish_detections && publisher_.wants_detections() &&
       detections_throttle_.IsDue(stamp)) {
     const auto visible = visible_boxes_.Find(truth, flight_->T_world_camera(), camera_.model(),
                                              WorldTime(stamp), stamp);
-    publisher_.PublishDetections(box_errors_.Apply(visible.detections));
+    publisher_.PublishDetections(box_errors_.Apply(visible.detections), image.measured);
   }
 }
 

@@ -62,7 +62,7 @@ class SimulatorNode {
   bool Prepare();
   void Restart();
   void ShowImage();
-  void ShowNetworks(const semantic_slam::RenderedView& truth, semantic_slam::Stamp stamp);
+  void ShowNetworks(const semantic_slam::SimulatedImage& image, semantic_slam::Stamp stamp);
   double WorldTime(semantic_slam::Stamp stamp) const;
   void Steer();
   bool IsOver();

@@ -6,6 +6,8 @@
 #include <sensor_msgs/image_encodings.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "semantic_slam/detection/detection_overlay.h"
+#include "semantic_slam/segmentation/segmentation_overlay.h"
 #include "semantic_slam_ros/conversions.h"
 #include "semantic_slam_ros/network_parameters.h"
 #include "semantic_slam_ros/object_conversions.h"
@@ -45,6 +47,7 @@ SimulatorPublisher::SimulatorPublisher(ros::NodeHandle nh, const SimulatorFrameO
       imu_options_(flight.imu),
       imu_rate_hz_(flight.mount.imu_rate_hz),
       intrinsics_(intrinsics),
+      vocabulary_(vocabulary),
       clock_pub_(nh.advertise<rosgraph_msgs::Clock>(topics::kClock, kQueueSize)),
       imu_pub_(nh.advertise<sensor_msgs::Imu>(topics::kImu, kImuQueueSize)),
       truth_tf_pub_(nh.advertise<tf2_msgs::TFMessage>(topics::kGroundTruthTf, kQueueSize)),
@@ -56,8 +59,11 @@ SimulatorPublisher::SimulatorPublisher(ros::NodeHandle nh, const SimulatorFrameO
       labels_pub_(PublishLabels(nh, vocabulary)),
       semantic_image_pub_(
           nh.advertise<semantic_slam::SemanticImage>(topics::kSemanticImage, kQueueSize)),
-      detections_pub_(
-          nh.advertise<semantic_slam::DetectionArray>(topics::kDetections, kQueueSize)) {
+      detections_pub_(nh.advertise<semantic_slam::DetectionArray>(topics::kDetections, kQueueSize)),
+      semantic_overlay_pub_(
+          image_transport::ImageTransport(nh).advertise(topics::kSemanticOverlay, 1)),
+      detection_overlay_pub_(
+          image_transport::ImageTransport(nh).advertise(topics::kDetectionOverlay, 1)) {
   PublishMount(flight.mount);
 }
 
@@ -105,12 +111,25 @@ void SimulatorPublisher::PublishImages(const RgbdImage& image) {
   colour_pub_.publish(ToImage(ColourImage{image.colour, image.order}, header));
 }
 
-void SimulatorPublisher::PublishSegmentation(const Segmentation& segmentation) {
+void SimulatorPublisher::PublishSegmentation(const Segmentation& segmentation,
+                                             const RgbdImage& image) {
   semantic_image_pub_.publish(ToSemanticImage(segmentation, frames_.optical_frame));
+  if (semantic_overlay_pub_.getNumSubscribers() == 0) return;
+  PublishOverlay(semantic_overlay_pub_,
+                 DrawSegmentation(image.colour, image.order, segmentation, vocabulary_), image);
 }
 
-void SimulatorPublisher::PublishDetections(const Detections& detections) {
+void SimulatorPublisher::PublishDetections(const Detections& detections, const RgbdImage& image) {
   detections_pub_.publish(ToDetectionArray(detections, frames_.optical_frame));
+  if (detection_overlay_pub_.getNumSubscribers() == 0) return;
+  PublishOverlay(detection_overlay_pub_,
+                 DrawDetections(image.colour, image.order, detections, vocabulary_), image);
+}
+
+void SimulatorPublisher::PublishOverlay(const image_transport::Publisher& publisher,
+                                        const cv::Mat& overlay, const RgbdImage& image) const {
+  publisher.publish(
+      ToImage(ColourImage{overlay, image.order}, MakeHeader(image.stamp, frames_.optical_frame)));
 }
 
 bool SimulatorPublisher::has_listener() const {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <image_transport/image_transport.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <tf2_ros/static_transform_broadcaster.h>
@@ -22,7 +23,8 @@ namespace semantic_slam_ros {
 // pointers, so within a nodelet manager nobody copies them. For one thread, but for has_listener().
 class SimulatorPublisher {
  public:
-  // Publishes where the camera and the imu sit, and the vocabulary, at once.
+  // Publishes where the camera and the imu sit, and the vocabulary, at once. `vocabulary` must
+  // outlive this.
   SimulatorPublisher(ros::NodeHandle nh, const SimulatorFrameOptions& frames,
                      const semantic_slam::SimulatedFlightOptions& flight,
                      const semantic_slam::LabelVocabulary& vocabulary,
@@ -33,22 +35,32 @@ class SimulatorPublisher {
   void PublishReadings(const std::vector<semantic_slam::ImuReading>& readings);
   void PublishTruth(const semantic_slam::SimulatedFlight& flight);
   void PublishImages(const semantic_slam::RgbdImage& image);
-  void PublishSegmentation(const semantic_slam::Segmentation& segmentation);
-  void PublishDetections(const semantic_slam::Detections& detections);
+  // What networks would find in the image; for people, if they subscribe, drawn into it.
+  void PublishSegmentation(const semantic_slam::Segmentation& segmentation,
+                           const semantic_slam::RgbdImage& image);
+  void PublishDetections(const semantic_slam::Detections& detections,
+                         const semantic_slam::RgbdImage& image);
 
   // Somebody receives both images and the calibration.
   bool has_listener() const;
-  bool wants_segmentation() const { return semantic_image_pub_.getNumSubscribers() > 0; }
-  bool wants_detections() const { return detections_pub_.getNumSubscribers() > 0; }
+  bool wants_segmentation() const {
+    return semantic_image_pub_.getNumSubscribers() + semantic_overlay_pub_.getNumSubscribers() > 0;
+  }
+  bool wants_detections() const {
+    return detections_pub_.getNumSubscribers() + detection_overlay_pub_.getNumSubscribers() > 0;
+  }
 
  private:
   void PublishMount(const semantic_slam::SensorMountOptions& mount);
+  void PublishOverlay(const image_transport::Publisher& publisher, const cv::Mat& overlay,
+                      const semantic_slam::RgbdImage& image) const;
 
   const SimulatorFrameOptions frames_;
   const std::string truth_frame_;
   const semantic_slam::ImuOptions imu_options_;
   const double imu_rate_hz_;
   const semantic_slam::CameraIntrinsics intrinsics_;
+  const semantic_slam::LabelVocabulary& vocabulary_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Publisher clock_pub_;
@@ -61,6 +73,8 @@ class SimulatorPublisher {
   ros::Publisher labels_pub_;
   ros::Publisher semantic_image_pub_;
   ros::Publisher detections_pub_;
+  image_transport::Publisher semantic_overlay_pub_;
+  image_transport::Publisher detection_overlay_pub_;
 };
 
 }  // namespace semantic_slam_ros
