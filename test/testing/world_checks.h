@@ -26,6 +26,7 @@ class Solid {
           bounds_.extend(triangle[i]);
         }
         triangles_.push_back(triangle);
+        AddPoints(triangle);
       }
     }
   }
@@ -67,26 +68,28 @@ class Solid {
     return top;
   }
 
-  // Points on all of its surface, at most `spacing_m` apart.
-  std::vector<Eigen::Vector3d> Points(double spacing_m) const {
-    std::vector<Eigen::Vector3d> points;
-    for (const auto& t : triangles_) {
-      const double edge_m =
-          std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-      const int steps = std::max(1, static_cast<int>(std::ceil(edge_m / spacing_m)));
-      for (int i = 0; i <= steps; ++i) {
-        for (int j = 0; i + j <= steps; ++j) {
-          points.push_back(t[0] + (t[1] - t[0]) * i / steps + (t[2] - t[0]) * j / steps);
-        }
-      }
-    }
-    return points;
-  }
+  // Points on all of its surface, at most 8 cm apart.
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
+  void AddPoints(const std::array<Eigen::Vector3d, 3>& t) {
+    constexpr double kSpacing_m = 0.08;
+    const double edge_m =
+        std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    const int steps = std::max(1, static_cast<int>(std::ceil(edge_m / kSpacing_m)));
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; i + j <= steps; ++j) {
+        points_.push_back(t[0] + (t[1] - t[0]) * i / steps + (t[2] - t[0]) * j / steps);
+      }
+    }
+  }
+
   // Height of a triangle at a place of the plan, -1e9 beside it, and whether it faces up.
   static std::pair<double, bool> HeightOf(const std::array<Eigen::Vector3d, 3>& t,
                                           const Eigen::Vector2d& at) {
+    const double highest_x = std::max({t[0].x(), t[1].x(), t[2].x()});
+    const double lowest_x = std::min({t[0].x(), t[1].x(), t[2].x()});
+    if (at.x() < lowest_x || at.x() > highest_x) return {-1e9, false};  // most of them
     const Eigen::Vector2d ab = (t[1] - t[0]).head<2>();
     const Eigen::Vector2d ac = (t[2] - t[0]).head<2>();
     const Eigen::Vector2d ap = at - t[0].head<2>();
@@ -100,6 +103,7 @@ class Solid {
 
   const WorldObject* object_;
   std::vector<std::array<Eigen::Vector3d, 3>> triangles_;
+  std::vector<Eigen::Vector3d> points_;
   Eigen::AlignedBox3d bounds_;
 };
 
@@ -112,24 +116,40 @@ inline std::vector<Solid> StillSolids(const World& world) {
   return solids;
 }
 
+constexpr double kTouching_m = 0.015;
+
+inline bool LiesOn(const Solid& solid, const Solid& other) {
+  return std::any_of(solid.points().begin(), solid.points().end(), [&](const Eigen::Vector3d& p) {
+    if (other.bounds().exteriorDistance(p) > kTouching_m) return false;
+    const Eigen::Vector3d above = p + Eigen::Vector3d(0, 0, kTouching_m);
+    return std::abs(other.TopBelow(above) - p.z()) < kTouching_m;
+  });
+}
+
+inline bool Touches(const Solid& solid, const Solid& other) {
+  return std::any_of(solid.points().begin(), solid.points().end(), [&](const Eigen::Vector3d& p) {
+    return other.Distance(p, 2 * kTouching_m) < kTouching_m;
+  });
+}
+
 // True if the object lies on another, or touches a wall or a ceiling.
 inline bool IsHeld(const Solid& solid, const std::vector<Solid>& all) {
-  constexpr double kNear_m = 0.015;
-  for (const Eigen::Vector3d& p : solid.Points(0.1)) {
-    for (const Solid& other : all) {
-      if (&other == &solid || other.bounds().exteriorDistance(p) > kNear_m) continue;
-      const Eigen::Vector3d above = p + Eigen::Vector3d(0, 0, kNear_m);
-      if (std::abs(other.TopBelow(above) - p.z()) < kNear_m) return true;
-      if (other.object().is_structure && other.Distance(p, 2 * kNear_m) < kNear_m) return true;
-    }
+  std::vector<const Solid*> near;
+  for (const Solid& other : all) {
+    const double gap_m = other.bounds().exteriorDistance(solid.bounds());
+    if (&other != &solid && gap_m < kTouching_m) near.push_back(&other);
   }
-  return false;
+  return std::any_of(near.begin(), near.end(),
+                     [&](const Solid* other) { return LiesOn(solid, *other); }) ||
+         std::any_of(near.begin(), near.end(), [&](const Solid* other) {
+           return other->object().is_structure && Touches(solid, *other);
+         });
 }
 
 // Where a surface of `a` lies deeper in `b` than `depth_m`; nullopt if nowhere.
 inline std::optional<Eigen::Vector3d> DeepInside(const Solid& a, const Solid& b, double depth_m) {
   if (!a.bounds().intersects(b.bounds())) return std::nullopt;
-  for (Eigen::Vector3d p : a.Points(0.08)) {
+  for (Eigen::Vector3d p : a.points()) {
     p += Eigen::Vector3d(1.1e-5, 0.7e-5, 0);  // off the edges between triangles
     if (b.Contains(p) && b.Distance(p, 2 * depth_m) > depth_m) return p;
   }
