@@ -217,6 +217,7 @@ TEST_F(WaypointFollowerTest, RefusesBadWaypointsAndKeepsTheOldOnes) {
   EXPECT_THROW(follower_.Replace({At(2, 0), At(kNan, 0)}), InputError);
   EXPECT_THROW(follower_.Replace({At(2, 0, kNan)}), InputError);
   EXPECT_THROW(follower_.Append(At(2, 0, 0.0, -1.0)), InputError);
+  EXPECT_THROW(follower_.Append(At(2, 1e300)), InputError);
   EXPECT_THROW(follower_.Replace(std::vector<Waypoint>(WaypointFollower::kMaxWaypoints + 1)),
                InputError);
   ASSERT_EQ(follower_.waypoints().size(), 1u);

@@ -48,9 +48,6 @@ class PositionController {
   // frame at the drone's heading. What the integral has learnt of the mass is added.
   AttitudeCommand Steer(const Eigen::Vector3d& acceleration_mps2) const;
 
-  // Forgets what the integral has learnt.
-  void Reset() { integral_mps_.setZero(); }
-
  private:
   void Integrate(const Eigen::Vector3d& error_m, const Eigen::Vector3d& excess_mps, double step_s);
 

@@ -8,11 +8,11 @@
 
 #include "semantic_slam/common/yaml_options.h"
 #include "semantic_slam/control/attitude_command.h"
+#include "semantic_slam/control/waypoint_follower.h"
 
 namespace semantic_slam {
 namespace {
 
-constexpr double kMaxCoordinateM = 1e4;
 constexpr double kMaxHoldS = 3600.0;
 constexpr double kMinSpeedMps = 0.01;
 constexpr double kMaxSpeedMps = 20.0;
@@ -30,8 +30,9 @@ double ReadNumber(YamlReader& reader, const char* key, double low, double high) 
 
 Eigen::Vector3d ReadPosition(YamlReader& reader) {
   const auto values = reader.Require<std::vector<double>>("position_m");
-  const bool usable = std::all_of(values.begin(), values.end(),
-                                  [](double value) { return std::abs(value) <= kMaxCoordinateM; });
+  const bool usable = std::all_of(values.begin(), values.end(), [](double value) {
+    return std::abs(value) <= WaypointFollower::kMaxCoordinateM;
+  });
   if (values.size() != 3 || !usable) {
     reader.Refuse("position_m", "three numbers within 10 km of the origin");
   }

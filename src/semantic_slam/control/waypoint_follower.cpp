@@ -18,6 +18,10 @@ void Check(const Waypoint& waypoint) {
   if (!waypoint.position_m.allFinite() || !std::isfinite(waypoint.yaw_rad)) {
     throw InputError("a waypoint has a number that is not finite");
   }
+  if (waypoint.position_m.cwiseAbs().maxCoeff() > WaypointFollower::kMaxCoordinateM) {
+    throw InputError("a waypoint is farther from the origin than " +
+                     std::to_string(static_cast<int>(WaypointFollower::kMaxCoordinateM)) + " m");
+  }
   if (!(waypoint.hold_s >= 0.0 && std::isfinite(waypoint.hold_s))) {
     throw InputError("a waypoint's hold is " + std::to_string(waypoint.hold_s) +
                      " s, expected 0 or more");

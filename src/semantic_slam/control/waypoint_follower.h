@@ -70,12 +70,13 @@ struct DronePlace {
 class WaypointFollower {
  public:
   static constexpr std::size_t kMaxWaypoints = 10000;
+  static constexpr double kMaxCoordinateM = 1e4;
 
   // Throws ConfigError if an option is out of range.
   explicit WaypointFollower(const WaypointFollowerOptions& options = {});
 
-  // These throw InputError, and change nothing, if a number is not finite, a hold is negative, or
-  // the waypoints become more than kMaxWaypoints.
+  // These throw InputError, and change nothing, if a number is not finite, a coordinate is beyond
+  // kMaxCoordinateM, a hold is negative, or the waypoints become more than kMaxWaypoints.
   void Replace(std::vector<Waypoint> waypoints);
   void Append(const Waypoint& waypoint);  // after the last one was reached, it begins a new queue
 
