@@ -70,14 +70,18 @@ class Launch {
   pid_t pid_;
 };
 
-// Every topic in a table "Published topics" of docs/ros_api.md, absolute.
+// Every topic in a table "Published topics" of docs/ros_api.md, absolute; not of the nodes that fly a
+// drone.
 std::set<std::string> DocumentedTopics() {
   std::ifstream file(SEMANTIC_SLAM_SOURCE_DIR "/docs/ros_api.md");
   const std::regex row("^\\| `/?([a-z_/]+)` \\| [a-z0-9_]+/[A-Z].*");  // name and type
   std::set<std::string> topics;
-  bool in_table = false;
+  bool is_started = false, in_table = false;
   for (std::string line; std::getline(file, line);) {
-    if (line.compare(0, 2, "##") == 0) in_table = line == "### Published topics";
+    if (line.compare(0, 3, "## ") == 0) {
+      is_started = line != "## simulator_node" && line != "## waypoint_controller_node";
+    }
+    if (line.compare(0, 2, "##") == 0) in_table = is_started && line == "### Published topics";
     std::smatch match;
     if (in_table && std::regex_match(line, match, row)) topics.insert("/" + match[1].str());
   }
