@@ -1,0 +1,1 @@
+"""Networks, all with random weights at first. Third-party weights are never loaded."""
