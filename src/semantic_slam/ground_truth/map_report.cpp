@@ -14,6 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kClassesShown = 8;  // in the table
 constexpr std::array<const char*, VoxelLabelScore::kObservationBins> kObservationNames{
     "1", "2-3", "4-7", "8-15", "16-31", "32+"};
 
@@ -120,6 +121,27 @@ void PrintTrajectory(const TrajectoryReport& report, std::ostream& out) {
            {Number(report.path_m, "%.1f m"), std::to_string(report.matches.size())}, out);
 }
 
+// Those with the most voxels.
+void PrintClasses(const VoxelLabelScore& score, const LabelVocabulary& vocabulary,
+                  std::ostream& out) {
+  std::vector<std::pair<LabelId, VoxelCount>> classes(score.by_class.begin(), score.by_class.end());
+  std::stable_sort(classes.begin(), classes.end(),
+                   [](const auto& a, const auto& b) { return a.second.voxels > b.second.voxels; });
+  for (std::size_t i = 0; i < std::min(classes.size(), kClassesShown); ++i) {
+    const auto& [label, count] = classes[i];
+    PrintRow("  " + vocabulary[label].name, {std::to_string(count.voxels), Percent(count.share())},
+             out);
+  }
+  if (classes.size() <= kClassesShown) return;
+  VoxelCount others;
+  for (std::size_t i = kClassesShown; i < classes.size(); ++i) {
+    others.voxels += classes[i].second.voxels;
+    others.right += classes[i].second.right;
+  }
+  PrintRow("  " + std::to_string(classes.size() - kClassesShown) + " other classes",
+           {std::to_string(others.voxels), Percent(others.share())}, out);
+}
+
 void PrintVoxels(const std::optional<VoxelLabelScore>& score, const LabelVocabulary& vocabulary,
                  std::ostream& out) {
   if (!score) return PrintRow("voxels", {"-"}, out);
@@ -135,14 +157,7 @@ void PrintVoxels(const std::optional<VoxelLabelScore>& score, const LabelVocabul
     PrintRow("  seen " + std::string(kObservationNames[i]) + (i == 0 ? " time" : " times"),
              {std::to_string(count.voxels), Percent(count.share())}, out);
   }
-  std::vector<std::pair<LabelId, VoxelCount>> classes(score->by_class.begin(),
-                                                      score->by_class.end());
-  std::stable_sort(classes.begin(), classes.end(),
-                   [](const auto& a, const auto& b) { return a.second.voxels > b.second.voxels; });
-  for (const auto& [label, count] : classes) {
-    PrintRow("  " + vocabulary[label].name, {std::to_string(count.voxels), Percent(count.share())},
-             out);
-  }
+  PrintClasses(*score, vocabulary, out);
 }
 
 void PrintObjects(const std::optional<ObjectScore>& score, std::ostream& out) {

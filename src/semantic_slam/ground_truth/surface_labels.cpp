@@ -7,30 +7,14 @@
 
 #include <Eigen/Geometry>
 
+#include "semantic_slam/worlds/triangle_distance.h"
+
 namespace semantic_slam {
 namespace {
 
 constexpr double kCubeM = 0.1;
 constexpr double kHalfDiagonalM = 0.5 * 1.7321 * kCubeM;
 constexpr double kEndM = 0.01;  // of a line of sight, at which a surface is no obstacle
-
-double DistanceToSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                         const Eigen::Vector3d& b) {
-  const Eigen::Vector3d along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0.0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
-
-// Whether a point of the triangle's plane is inside of it.
-bool IsInside(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 3>& corners,
-              const Eigen::Vector3d& normal) {
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d side = corners[(i + 1) % 3] - corners[i];
-    if (normal.dot(side.cross(p - corners[i])) < 0.0) return false;
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -113,17 +97,8 @@ std::uint64_t SurfaceLabels::KeyOf(const Cube& cube) {
 }
 
 double SurfaceLabels::Distance(const Triangle& triangle, const Eigen::Vector3d& point) {
-  const std::array<Eigen::Vector3d, 3> corners{triangle.a.cast<double>(), triangle.b.cast<double>(),
-                                               triangle.c.cast<double>()};
-  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  if (normal.squaredNorm() > 0.0) {
-    const Eigen::Vector3d unit = normal.normalized();
-    const double height = unit.dot(point - corners[0]);
-    if (IsInside(point - height * unit, corners, normal)) return std::abs(height);
-  }
-  return std::min({DistanceToSegment(point, corners[0], corners[1]),
-                   DistanceToSegment(point, corners[1], corners[2]),
-                   DistanceToSegment(point, corners[2], corners[0])});
+  return DistanceToTriangle(point, triangle.a.cast<double>(), triangle.b.cast<double>(),
+                            triangle.c.cast<double>());
 }
 
 void SurfaceLabels::Add(const Triangle& triangle) {
