@@ -75,7 +75,7 @@ MovingScene::MovingScene(const World& world, int first_part) {
   for (const WorldObject& object : world.objects) {
     MovingObject moving{&object, {}};
     for (const Surface& surface : object.surfaces) {
-      if (!object.IsMoving() && !surface.swing) continue;
+      if (!Moves(object, surface)) continue;
       moving.surfaces.push_back({&surface, {}, {}});
       for (const Mesh& part : ConnectedParts(surface.mesh)) {
         moving.surfaces.back().parts.push_back(Refined(part, kCornerSpacingM));

@@ -11,6 +11,7 @@
 namespace semantic_slam {
 
 // What a perfect camera sees of a world: one size, one ray through the centre of each raw pixel.
+// Only colours are mixed where surfaces border on each other.
 struct RenderedView {
   cv::Mat colour;     // CV_8UC3, BGR; black where there is nothing
   cv::Mat depth_m;    // CV_32FC1 along the optical axis; NaN where there is nothing
@@ -24,13 +25,14 @@ struct RenderedView {
 class SceneRenderer {
  public:
   // Builds the ray casting structures, the textures and the light on all that stands still: some
-  // seconds for a house.
+  // seconds for a house. Throws ConfigError naming a material's pattern that does not exist.
   explicit SceneRenderer(std::shared_ptr<const World> world);
   ~SceneRenderer();
 
   const World& world() const;
 
-  // The view of a camera at `time_s` of the world (people walk).
+  // The view of a camera at `time_s` of the world (people walk). Throws InputError if the pose or
+  // the time is not finite.
   RenderedView Render(const Rigid3d& T_world_camera, const CameraModel& camera,
                       double time_s) const;
 

@@ -47,6 +47,11 @@ struct SceneSurface {
   int material = 0;
 };
 
+// Whether a surface is ever elsewhere: its object walks, or it swings by itself.
+inline bool Moves(const WorldObject& object, const Surface& surface) {
+  return object.IsMoving() || surface.swing.has_value();
+}
+
 // Triangles in the world frame, as they are traced and shaded.
 struct SceneTriangles {
   std::vector<SceneCorner> corners;

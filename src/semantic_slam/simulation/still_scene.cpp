@@ -19,10 +19,6 @@ Mesh InWorld(const Mesh& part, const Rigid3d& T_world_object) {
   return moved;
 }
 
-bool MovesAtAll(const WorldObject& object, const Surface& surface) {
-  return object.IsMoving() || surface.swing.has_value();
-}
-
 // Where to look for the light on a corner: there, but a little towards the middle of the part.
 LightSite SiteOf(const Mesh& part, std::size_t corner, const Eigen::Vector3f& middle_m) {
   const Eigen::Vector3f& normal = part.normals[corner];
@@ -54,7 +50,7 @@ void StillScene::AddSurfaces(const World& world, bool shining) {
   for (const WorldObject& object : world.objects) {
     for (const Surface& surface : object.surfaces) {
       const bool shines = world.materials[surface.material].brightness > 0.0f;
-      if (shines != shining || MovesAtAll(object, surface)) continue;
+      if (shines != shining || Moves(object, surface)) continue;
       triangles_.AddSurface(object, surface);
       for (const Mesh& part : ConnectedParts(surface.mesh)) {
         if (IsFlat(part)) {
