@@ -26,6 +26,7 @@
 #include "semantic_slam_ros/segmentation_node.h"
 #include "semantic_slam_ros/semantic_cloud_node.h"
 #include "semantic_slam_ros/semantic_grid_node.h"
+#include "semantic_slam_ros/simulator_parameters.h"
 #include "semantic_slam_ros/tracking_node.h"
 #include "semantic_slam_ros/waypoint_controller_node.h"
 
@@ -83,7 +84,16 @@ struct WaypointController {
   using Parameters = WaypointControllerNodeParameters;
 };
 
-using Nodes = testing::Types<Tracking, Segmentation, Detection, SemanticCloud, Octomap, GridSlam, ObjectTracking,
+struct Simulator {
+  static constexpr char kName[] = "simulator";
+  using Parameters = SimulatorNodeParameters;
+};
+
+using Nodes = testing::Types<
+#if __has_include(<embree3/rtcore.h>)  // without it there is no simulator
+    Simulator,
+#endif
+    Tracking, Segmentation, Detection, SemanticCloud, Octomap, GridSlam, ObjectTracking,
                              ObjectMapping, SemanticGrid, WaypointController>;
 
 struct Outcome {
@@ -145,6 +155,14 @@ TEST(GridSlamParametersTest, RefusesAnotherSourceOfTheMap) {
 TEST(GridSlamParametersTest, RefusesAnEmptyBand) {
   ExpectFatal("grid_slam", "_scan/band_lower_m:=0.5", "band_lower_m = 0.5, but must be below");
 }
+
+#if __has_include(<embree3/rtcore.h>)
+TEST(SimulatorParametersTest, RefusesSomebodyElseAtTheControls) {
+  ExpectFatal("simulator", "_follow:=nobody",
+              "/simulator_under_test/follow = nobody, but must be control, or tour");
+  ExpectFatal("simulator", "_follow:=tour", "with a file in ~tour");
+}
+#endif
 
 // Calls visit(full name, value, range...) for every option of a node.
 template <typename Parameters, typename Visitor>
