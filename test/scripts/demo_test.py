@@ -1,11 +1,13 @@
-"""scripts/demo: plays a folder to the end with pictures, and refuses in one line what it cannot play."""
+"""scripts/demo: flies a tour or plays a folder to the end with pictures, and refuses in one line what it cannot."""
 
 import json
 import subprocess
 
 import pytest
+import yaml
 
 RESULTS = ("trajectory.txt", "trajectory_live.txt", "keyframe_trajectory.txt", "timing.csv", "summary.json")
+MAPS = ("semantic_map.ot", "semantic_map.ply", "objects.json", "grid.pgm", "semantic_grid.pgm", "evaluation.json")
 PICTURES = ("trajectory.png", "rviz.png")
 
 
@@ -27,6 +29,11 @@ def fixture_demo(repository):
     ("--config /nonexistent.yaml", "/nonexistent.yaml"),
     ("--speed 1", "--speed"),
     ("{unnamed}", "--config"),
+    ("--world moon", "moon"),
+    ("--pose guessed", "guessed"),
+    ("--tour /nonexistent.yaml", "/nonexistent.yaml"),
+    ("--rate 2", "--rate"),
+    ("--world home {unnamed}", "--world"),
 ])
 def test_refuses_in_one_line(demo, tmp_path, arguments, word):
     (tmp_path / "rgb.txt").write_text("")
@@ -40,16 +47,34 @@ def test_refuses_in_one_line(demo, tmp_path, arguments, word):
 def test_help_says_how_to_call_it(demo):
     result = demo("--help")
     assert result.returncode == 0
-    assert "scripts/demo [--config" in result.stdout
+    assert "scripts/demo [--world" in result.stdout and "scripts/demo [--config" in result.stdout
+
+
+def assert_left(out, names):
+    for name in names:
+        assert (out / name).stat().st_size > 0, name
+        if name.endswith(".png"):
+            assert (out / name).read_bytes().startswith(b"\x89PNG"), name
+
+
+def test_flies_a_tour_to_the_end(demo, repository, tmp_path):
+    tour = yaml.safe_load((repository / "config/tours/home.yaml").read_text())
+    (tmp_path / "tour.yaml").write_text(yaml.safe_dump({**tour, "waypoints": tour["waypoints"][:3]}))
+    result = demo("--output", tmp_path / "out", "--tour", tmp_path / "tour.yaml")
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert_left(tmp_path / "out", (*RESULTS, *MAPS, *PICTURES, "evaluation.png", "map_top.png"))
+    summary = json.loads((tmp_path / "out/summary.json").read_text())
+    assert summary["lost"] == 0
+    evaluation = json.loads((tmp_path / "out/evaluation.json").read_text())
+    assert evaluation["trajectory"]["ate_rmse_m"] < 0.05  # some seconds in one room
+    for words in ("labels and boxes are the renderer's", "images tracked", "pictures:"):
+        assert words in result.stdout
 
 
 def test_plays_a_folder_to_the_end(demo, room, tmp_path):
     result = demo("--output", tmp_path / "out", room.folder)
     assert result.returncode == 0, result.stdout + result.stderr
-    for name in (*RESULTS, *PICTURES):
-        assert (tmp_path / "out" / name).stat().st_size > 0, name
-    for name in PICTURES:
-        assert (tmp_path / "out" / name).read_bytes().startswith(b"\x89PNG"), name
+    assert_left(tmp_path / "out", (*RESULTS, *PICTURES))
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["tracked"] > 100  # of 120; a busy machine may drop some
     assert "images tracked" in result.stdout

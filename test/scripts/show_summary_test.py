@@ -26,3 +26,30 @@ def test_trajectory_error(error, text):
 
 def test_without_ground_truth():
     assert "trajectory error no ground truth" in [" ".join(line.split()) for line in table(SUMMARY, TIMINGS)]
+
+
+EVALUATION = {
+    "voxels": {"occupied": 2000, "right": 0.875, "without_surface": 0.0625},
+    "objects": {"found": 9, "expected": 10, "right_class": 1.0, "extra": 2, "position_mean_m": 0.123,
+                "position_max_m": 0.5, "size_mean_m": 0.25, "size_max_m": 1.0},
+    "grid": {"free_precision": 1.0, "free_recall": 0.995, "occupied_precision": None, "occupied_recall": 0.75},
+    "semantic_grid": None,
+}
+
+
+def test_errors_of_maps():
+    lines = [" ".join(line.split()) for line in table(SUMMARY, TIMINGS, EVALUATION)]
+    for line in ("voxels with the right label 87.5 % of 2000; besides, 6.2 % are far from any surface",
+                 "objects found 9 of 10, 100.0 % of the right class; 2 more that are none",
+                 "position, size of objects 0.12 m, 0.25 m off in the mean, 0.50 m, 1.00 m at most",
+                 "floor plan, free cells 100.0 % are free, 99.5 % of the free are found",
+                 "floor plan, occupied cells - are occupied, 75.0 % of the occupied are found"):
+        assert line in lines
+    assert not any(line.startswith("semantic grid") for line in lines)
+
+
+def test_maps_without_objects():
+    evaluation = {"voxels": None, "objects": {**EVALUATION["objects"], "found": 0}, "grid": None, "semantic_grid": None}
+    lines = list(table(SUMMARY, TIMINGS, evaluation))
+    assert any(line.startswith("objects found") for line in lines)
+    assert not any(line.startswith("position") for line in lines)
