@@ -36,21 +36,21 @@ inline double VolumeOf(const Mesh& mesh) {
 
 // Numbers the places where corners of a mesh are; corners within 20 um share theirs.
 inline std::vector<int> PlacesOf(const Mesh& mesh) {
-  constexpr float kCell_m = 1e-4f;
-  constexpr float kSame_m = 2e-5f;
+  constexpr float kCellM = 1e-4f;
+  constexpr float kSameM = 2e-5f;
   std::map<std::array<long, 3>, std::vector<std::pair<Eigen::Vector3f, int>>> cells;
   std::vector<int> places;
   int count = 0;
   for (const Eigen::Vector3f& p : mesh.positions_m) {
     int place = -1;
     std::array<long, 3> cell;
-    for (int i = 0; i < 3; ++i) cell[i] = std::lround(p[i] / kCell_m);
+    for (int i = 0; i < 3; ++i) cell[i] = std::lround(p[i] / kCellM);
     for (int neighbour = 0; neighbour < 27 && place < 0; ++neighbour) {
       const auto near = cells.find({cell[0] + neighbour % 3 - 1, cell[1] + neighbour / 3 % 3 - 1,
                                     cell[2] + neighbour / 9 - 1});
       if (near == cells.end()) continue;
       for (const auto& [at, number] : near->second) {
-        if ((at - p).norm() < kSame_m) place = number;
+        if ((at - p).norm() < kSameM) place = number;
       }
     }
     if (place < 0) {

@@ -73,10 +73,10 @@ class Solid {
 
  private:
   void AddPoints(const std::array<Eigen::Vector3d, 3>& t) {
-    constexpr double kSpacing_m = 0.08;
+    constexpr double kSpacingM = 0.08;
     const double edge_m =
         std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-    const int steps = std::max(1, static_cast<int>(std::ceil(edge_m / kSpacing_m)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(edge_m / kSpacingM)));
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; i + j <= steps; ++j) {
         points_.push_back(t[0] + (t[1] - t[0]) * i / steps + (t[2] - t[0]) * j / steps);
@@ -116,19 +116,19 @@ inline std::vector<Solid> StillSolids(const World& world) {
   return solids;
 }
 
-constexpr double kTouching_m = 0.015;
+constexpr double kTouchingM = 0.015;
 
 inline bool LiesOn(const Solid& solid, const Solid& other) {
   return std::any_of(solid.points().begin(), solid.points().end(), [&](const Eigen::Vector3d& p) {
-    if (other.bounds().exteriorDistance(p) > kTouching_m) return false;
-    const Eigen::Vector3d above = p + Eigen::Vector3d(0, 0, kTouching_m);
-    return std::abs(other.TopBelow(above) - p.z()) < kTouching_m;
+    if (other.bounds().exteriorDistance(p) > kTouchingM) return false;
+    const Eigen::Vector3d above = p + Eigen::Vector3d(0, 0, kTouchingM);
+    return std::abs(other.TopBelow(above) - p.z()) < kTouchingM;
   });
 }
 
 inline bool Touches(const Solid& solid, const Solid& other) {
   return std::any_of(solid.points().begin(), solid.points().end(), [&](const Eigen::Vector3d& p) {
-    return other.Distance(p, 2 * kTouching_m) < kTouching_m;
+    return other.Distance(p, 2 * kTouchingM) < kTouchingM;
   });
 }
 
@@ -137,7 +137,7 @@ inline bool IsHeld(const Solid& solid, const std::vector<Solid>& all) {
   std::vector<const Solid*> near;
   for (const Solid& other : all) {
     const double gap_m = other.bounds().exteriorDistance(solid.bounds());
-    if (&other != &solid && gap_m < kTouching_m) near.push_back(&other);
+    if (&other != &solid && gap_m < kTouchingM) near.push_back(&other);
   }
   return std::any_of(near.begin(), near.end(),
                      [&](const Solid* other) { return LiesOn(solid, *other); }) ||

@@ -44,11 +44,11 @@ TEST_P(ConfigWorlds, NothingFloats) {
 
 TEST_P(ConfigWorlds, NothingIsInSomethingElse) {
   // Cushions give way by 3 cm, and so much may furniture reach into the casing of a door.
-  constexpr double kDepth_m = 0.03;
+  constexpr double kDepthM = 0.03;
   for (const Solid& a : solids_) {
     for (const Solid& b : solids_) {
       if (&a == &b || (a.object().is_structure && b.object().is_structure)) continue;
-      const auto where = DeepInside(a, b, kDepth_m);
+      const auto where = DeepInside(a, b, kDepthM);
       EXPECT_FALSE(where) << a.object().name << " reaches into " << b.object().name << " at "
                           << where.value_or(Eigen::Vector3d::Zero()).transpose();
     }

@@ -7,17 +7,17 @@
 namespace semantic_slam {
 namespace {
 
-constexpr float kLegs_m = 0.16f;
-constexpr float kFrame_m = 0.16f;  // height of the boards around the mattress
+constexpr float kLegsM = 0.16f;
+constexpr float kFrameM = 0.16f;  // height of the boards around the mattress
 
 void AddBedFrame(FurnitureBuilder& b) {
   const float head = -0.5f * b.depth();
   const float side = 0.5f * b.width();
-  b.Box("frame", {head, -side, kLegs_m}, {head + 0.05f, side, b.height()});
-  b.Box("frame", {head + 0.05f, -side + 0.02f, kLegs_m}, {-head, side - 0.02f, kLegs_m + kFrame_m});
+  b.Box("frame", {head, -side, kLegsM}, {head + 0.05f, side, b.height()});
+  b.Box("frame", {head + 0.05f, -side + 0.02f, kLegsM}, {-head, side - 0.02f, kLegsM + kFrameM});
   for (const float x : {head + 0.035f, -head - 0.06f}) {
     for (const float y : {-side + 0.05f, side - 0.05f}) {
-      b.Add("frame", BeamMesh({x, y, 0}, {x, y, kLegs_m}, {0.045f, 0.045f}, {0.06f, 0.06f}));
+      b.Add("frame", BeamMesh({x, y, 0}, {x, y, kLegsM}, {0.045f, 0.045f}, {0.06f, 0.06f}));
     }
   }
 }
@@ -28,13 +28,13 @@ void BuildBed(FurnitureBuilder& b) {
   const float foot = 0.5f * b.depth();
   const float mattress_m = b.Number("mattress_top_m");
   AddBedFrame(b);
-  const float low = kLegs_m + kFrame_m - 0.04f;
+  const float low = kLegsM + kFrameM - 0.04f;
   b.Add("mattress",
         RoundedBoxMesh({0.5f * (head + foot) - 0.01f, 0, 0.5f * (low + mattress_m)},
                        {foot - head - 0.04f, b.width() - 0.08f, mattress_m - low}, 0.05f));
   const float duvet_head = head + 0.28f * b.depth();
   const float duvet_top = mattress_m + 0.045f;
-  const float duvet_low = kLegs_m + 0.4f * kFrame_m;
+  const float duvet_low = kLegsM + 0.4f * kFrameM;
   b.Add("duvet", RoundedBoxMesh({0.5f * (duvet_head + foot), 0, 0.5f * (duvet_low + duvet_top)},
                                 {foot - duvet_head, b.width(), duvet_top - duvet_low}, 0.06f));
   // Its upper edge is folded back.

@@ -10,11 +10,11 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kOuterThickness_m = 0.22;  // of walls with nothing behind them
-constexpr double kSlab_m = 0.1;             // thickness of floors and ceilings
-constexpr double kSame_m = 0.01;            // rooms that are closer touch
-constexpr float kSkirtingHeight_m = 0.07f;
-constexpr float kSkirtingThickness_m = 0.012f;
+constexpr double kOuterThicknessM = 0.22;  // of walls with nothing behind them
+constexpr double kSlabM = 0.1;             // thickness of floors and ceilings
+constexpr double kSameM = 0.01;            // rooms that are closer touch
+constexpr float kSkirtingHeightM = 0.07f;
+constexpr float kSkirtingThicknessM = 0.012f;
 
 bool RunsAlongX(Side side) {
   return side == Side::kSouth || side == Side::kNorth;
@@ -80,8 +80,8 @@ Mesh SkirtingMesh(float length_m, std::vector<WallRectangle> holes) {
   float begin = 0.0f;
   Mesh mesh;
   for (const WallRectangle& hole : holes) {
-    if (hole.bottom_m > kSkirtingHeight_m) continue;
-    const Eigen::Vector3f size_m(kSkirtingThickness_m, hole.left_m - begin, kSkirtingHeight_m);
+    if (hole.bottom_m > kSkirtingHeightM) continue;
+    const Eigen::Vector3f size_m(kSkirtingThicknessM, hole.left_m - begin, kSkirtingHeightM);
     const Eigen::Vector3f corner_m(0, begin, 0);
     if (size_m.y() > 0.01f) Append(mesh, BoxMesh(corner_m + 0.5f * size_m, size_m));
     begin = hole.right_m;
@@ -111,7 +111,7 @@ void Building::AddRoom(const Room& room) {
   for (const Room& other : rooms_) {
     if (other.name == room.name) throw ConfigError("two rooms are called " + room.name);
     const Eigen::AlignedBox2d common = room.area_m.intersection(other.area_m);
-    if (!common.isEmpty() && common.sizes().minCoeff() > kSame_m) {
+    if (!common.isEmpty() && common.sizes().minCoeff() > kSameM) {
       throw ConfigError("room " + room.name + " overlaps room " + other.name);
     }
   }
@@ -147,12 +147,12 @@ double Building::HalfThickness(const Room& room, Side side) const {
   for (const Room& other : rooms_) {
     if (&other == &room) continue;
     const Side facing = kSides[(static_cast<int>(side) + 2) % 4];
-    const bool touches = std::abs(MiddleOf(room, side) - MiddleOf(other, facing)) < kSame_m;
+    const bool touches = std::abs(MiddleOf(room, side) - MiddleOf(other, facing)) < kSameM;
     const double shared_m = Overlap(room.area_m.min()[along], room.area_m.max()[along],
                                     other.area_m.min()[along], other.area_m.max()[along]);
-    if (touches && shared_m > kSame_m) return 0.5 * wall_thickness_m_;
+    if (touches && shared_m > kSameM) return 0.5 * wall_thickness_m_;
   }
-  return kOuterThickness_m;
+  return kOuterThicknessM;
 }
 
 Rigid3d Building::WallPose(const Room& room, Side side, double along_m) const {
@@ -173,7 +173,7 @@ std::vector<WallSite> Building::SitesOf(const WallOpening& opening) const {
     for (const Side side : kSides) {
       const int along = RunsAlongX(side) ? 0 : 1;
       const double where = opening.at_m[along];
-      if (std::abs(opening.at_m[1 - along] - MiddleOf(room, side)) < kSame_m &&
+      if (std::abs(opening.at_m[1 - along] - MiddleOf(room, side)) < kSameM &&
           where > room.area_m.min()[along] && where < room.area_m.max()[along]) {
         sites.push_back({&room, side});
       }
@@ -199,13 +199,12 @@ std::vector<WallRectangle> Building::HolesIn(const Room& room, Side side) const 
   for (const WallOpening& opening : openings_) {
     const double begin = opening.at_m[along] - 0.5 * opening.width_m;
     const double end = opening.at_m[along] + 0.5 * opening.width_m;
-    if (std::abs(opening.at_m[1 - along] - MiddleOf(room, side)) > kSame_m ||
-        Overlap(begin, end, low_m, high_m) < kSame_m) {
+    if (std::abs(opening.at_m[1 - along] - MiddleOf(room, side)) > kSameM ||
+        Overlap(begin, end, low_m, high_m) < kSameM) {
       continue;
     }
-    const bool fits = begin > low_m - kSame_m && end < high_m + kSame_m &&
-                      opening.bottom_m >= 0.0 && opening.top_m <= room.height_m + 1e-6 &&
-                      opening.top_m > opening.bottom_m;
+    const bool fits = begin > low_m - kSameM && end < high_m + kSameM && opening.bottom_m >= 0.0 &&
+                      opening.top_m <= room.height_m + 1e-6 && opening.top_m > opening.bottom_m;
     if (!fits) {
       throw ConfigError("opening at " + TextOf(opening.at_m) + " reaches beyond the wall of room " +
                         room.name);
@@ -270,12 +269,12 @@ std::vector<Furniture> Building::BuildRoom(const Room& room) const {
   const Eigen::AlignedBox2d area_m = OuterArea(room);
   const auto slab = [&](double bottom_m) {
     Eigen::Vector3d centre_m;
-    centre_m << area_m.center(), bottom_m + 0.5 * kSlab_m;
+    centre_m << area_m.center(), bottom_m + 0.5 * kSlabM;
     Eigen::Vector3d size_m;
-    size_m << area_m.sizes(), kSlab_m;
+    size_m << area_m.sizes(), kSlabM;
     return BoxMesh(centre_m.cast<float>(), size_m.cast<float>());
   };
-  return {Structure("floor", slab(-kSlab_m), room.floor),
+  return {Structure("floor", slab(-kSlabM), room.floor),
           Structure("ceiling", slab(room.height_m), room.ceiling), BuildWalls(room)};
 }
 

@@ -9,9 +9,9 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kCasing_m = 0.05;       // how far a door's casing covers the wall around it
-constexpr double kCasingDepth_m = 0.03;  // thickness of its boards on both sides together
-constexpr double kRebate_m = 0.02;       // a window's frame lies that far inside the outer face
+constexpr double kCasingM = 0.05;       // how far a door's casing covers the wall around it
+constexpr double kCasingDepthM = 0.03;  // thickness of its boards on both sides together
+constexpr double kRebateM = 0.02;       // a window's frame lies that far inside the outer face
 
 // What stands in a hole of a wall.
 struct OpeningPlan {
@@ -88,8 +88,8 @@ void AddDoor(OpeningPlan& plan, const Building& building, const MaterialPalette&
     request.numbers["open_deg"] = plan.reader.Require<double>("open_deg");
   }
   request.size_m =
-      Eigen::Vector3d(front_m + behind_m + kCasingDepth_m, plan.hole.width_m + 2 * kCasing_m,
-                      plan.hole.top_m - plan.hole.bottom_m + kCasing_m)
+      Eigen::Vector3d(front_m + behind_m + kCasingDepthM, plan.hole.width_m + 2 * kCasingM,
+                      plan.hole.top_m - plan.hole.bottom_m + kCasingM)
           .cast<float>();
   const Rigid3d T = building.OpeningPose(plan.hole, site) *
                     Eigen::Translation3d(0.5 * (front_m - behind_m), 0, 0);
@@ -106,7 +106,7 @@ void AddWindow(OpeningPlan& plan, const Building& building, const MaterialPalett
   request.size_m = size_m;
   const double behind_m = HalfBehind(building, sites);
   const Rigid3d T = building.OpeningPose(plan.hole, SiteFacing(plan, sites)) *
-                    Eigen::Translation3d(kRebate_m + 0.5 * size_m.x() - behind_m, 0, 0);
+                    Eigen::Translation3d(kRebateM + 0.5 * size_m.x() - behind_m, 0, 0);
   AddPiece(plan.reader, "window", request, palette, {T, std::nullopt, ""}, assembly);
 }
 

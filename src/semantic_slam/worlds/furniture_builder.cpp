@@ -71,8 +71,8 @@ FurniturePart& FurnitureBuilder::PartOf(const Material& material,
 
 void FurnitureBuilder::Add(const std::string& part, Mesh mesh, const Rigid3d& T_object_mesh,
                            const std::optional<Swing>& swing) {
-  constexpr float kReach_m = 10.0f;  // far enough that no two solids look alike
-  const Eigen::Vector2f place_m(Random(0, kReach_m), Random(0, kReach_m));
+  constexpr float kReachM = 10.0f;  // far enough that no two solids look alike
+  const Eigen::Vector2f place_m(Random(0, kReachM), Random(0, kReachM));
   for (Eigen::Vector2f& texture_m : mesh.texture_m) texture_m += place_m;
   Append(PartOf(materials_.at(part), swing).mesh, mesh, T_object_mesh);
 }

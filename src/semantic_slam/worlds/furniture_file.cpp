@@ -10,7 +10,7 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kTwoSteps_m = 1.27;  // that a person of usual size makes in one swing of the legs
+constexpr double kTwoStepsM = 1.27;  // that a person of usual size makes in one swing of the legs
 
 // The same name always gives the same piece, whatever else the file says.
 std::uint64_t SeedOf(const std::string& name) {
@@ -51,7 +51,7 @@ std::optional<Walk> ReadWalk(YamlReader& reader, FurnitureRequest& request) {
   const Walk result = Located(reader, [&] { return Walk(corners_m, speed_mps); });
   if (request.numbers.count("walking") > 0) {
     request.numbers["walking"] = 1.0;
-    request.numbers["step_period_s"] = kTwoSteps_m / speed_mps;
+    request.numbers["step_period_s"] = kTwoStepsM / speed_mps;
   }
   return result;
 }

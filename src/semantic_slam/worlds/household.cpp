@@ -10,31 +10,31 @@ namespace {
 
 // A carton, closed with tape.
 void BuildBox(FurnitureBuilder& b) {
-  constexpr float kTape_m = 0.001f;
+  constexpr float kTapeM = 0.001f;
   const float x = 0.5f * b.depth();
   const float y = 0.5f * b.width();
-  b.Box("board", {-x, -y, 0}, {x, y, b.height() - kTape_m});
-  b.Box("tape", {-0.03f, -y, b.height() - kTape_m}, {0.03f, y, b.height()});
+  b.Box("board", {-x, -y, 0}, {x, y, b.height() - kTapeM});
+  b.Box("tape", {-0.03f, -y, b.height() - kTapeM}, {0.03f, y, b.height()});
 }
 
 // An open crate with things in it.
 void BuildCrate(FurnitureBuilder& b) {
-  constexpr float kWall_m = 0.012f;
+  constexpr float kWallM = 0.012f;
   const float x = 0.5f * b.depth();
   const float y = 0.5f * b.width();
-  b.Box("board", {-x, -y, 0}, {x, y, kWall_m});
+  b.Box("board", {-x, -y, 0}, {x, y, kWallM});
   for (const float side : {-1.0f, 1.0f}) {
-    b.Add("board", BoxMesh({side * (x - 0.5f * kWall_m), 0, 0.5f * (b.height() + kWall_m)},
-                           {kWall_m, 2 * y, b.height() - kWall_m}));
-    b.Add("board", BoxMesh({0, side * (y - 0.5f * kWall_m), 0.5f * (b.height() + kWall_m)},
-                           {2 * (x - kWall_m), kWall_m, b.height() - kWall_m}));
+    b.Add("board", BoxMesh({side * (x - 0.5f * kWallM), 0, 0.5f * (b.height() + kWallM)},
+                           {kWallM, 2 * y, b.height() - kWallM}));
+    b.Add("board", BoxMesh({0, side * (y - 0.5f * kWallM), 0.5f * (b.height() + kWallM)},
+                           {2 * (x - kWallM), kWallM, b.height() - kWallM}));
   }
   for (int i = 0; i < 4; ++i) {
-    const float each = 2 * (y - kWall_m) / 4;
-    const float low = -y + kWall_m + i * each;
+    const float each = 2 * (y - kWallM) / 4;
+    const float low = -y + kWallM + i * each;
     b.Add(i % 2 == 0 ? "red" : "blue",
           RoundedBoxMesh({0, low + 0.5f * each, 0.5f * b.height()},
-                         {b.Random(0.6f, 0.9f) * 2 * (x - kWall_m), 0.9f * each,
+                         {b.Random(0.6f, 0.9f) * 2 * (x - kWallM), 0.9f * each,
                           b.Random(0.6f, 0.9f) * b.height()},
                          0.02f));
   }

@@ -8,22 +8,22 @@
 namespace semantic_slam {
 namespace {
 
-constexpr float kTop_m = 0.04f;    // thickness of a worktop
-constexpr float kPlinth_m = 0.1f;  // the space for feet below
-constexpr float kFront_m = 0.02f;  // thickness of doors
-constexpr float kHandle_m = 0.025f;
-const Eigen::Vector2f kBasin_m(0.4f, 0.5f);  // hole for a sink: depth, width
+constexpr float kTopM = 0.04f;    // thickness of a worktop
+constexpr float kPlinthM = 0.1f;  // the space for feet below
+constexpr float kFrontM = 0.02f;  // thickness of doors
+constexpr float kHandleM = 0.025f;
+const Eigen::Vector2f kBasinM(0.4f, 0.5f);  // hole for a sink: depth, width
 
 void AddWorktop(FurnitureBuilder& b, bool with_hole) {
   const float rear = -0.5f * b.depth();
   const float front = 0.5f * b.depth();
   const float side = 0.5f * b.width();
-  const float low = b.height() - kTop_m;
+  const float low = b.height() - kTopM;
   if (!with_hole) {
     b.Box("top", {rear, -side, low}, {front, side, b.height()});
     return;
   }
-  const Eigen::Vector2f half = 0.5f * kBasin_m;
+  const Eigen::Vector2f half = 0.5f * kBasinM;
   b.Box("top", {rear, -side, low}, {-half.x(), side, b.height()});
   b.Box("top", {half.x(), -side, low}, {front, side, b.height()});
   b.Box("top", {-half.x(), -side, low}, {half.x(), -half.y(), b.height()});
@@ -32,14 +32,14 @@ void AddWorktop(FurnitureBuilder& b, bool with_hole) {
 
 // One cupboard of the row below a worktop: a drawer above a door.
 void AddUnitFront(FurnitureBuilder& b, float right_m, float left_m) {
-  const float face = 0.5f * b.depth() - kFront_m - kHandle_m;
-  const float split = b.height() - kTop_m - 0.16f;
+  const float face = 0.5f * b.depth() - kFrontM - kHandleM;
+  const float split = b.height() - kTopM - 0.16f;
   const float middle = 0.5f * (right_m + left_m);
-  b.Box("fronts", {face, right_m + 0.003f, kPlinth_m}, {face + kFront_m, left_m - 0.003f, split});
+  b.Box("fronts", {face, right_m + 0.003f, kPlinthM}, {face + kFrontM, left_m - 0.003f, split});
   b.Box("fronts", {face, right_m + 0.003f, split + 0.005f},
-        {face + kFront_m, left_m - 0.003f, b.height() - kTop_m - 0.005f});
+        {face + kFrontM, left_m - 0.003f, b.height() - kTopM - 0.005f});
   for (const float z : {split - 0.05f, split + 0.09f}) {
-    b.Box("handles", {face + kFront_m, middle - 0.08f, z},
+    b.Box("handles", {face + kFrontM, middle - 0.08f, z},
           {0.5f * b.depth() - 0.005f, middle + 0.08f, z + 0.014f});
   }
 }
@@ -48,14 +48,14 @@ void BuildCounter(FurnitureBuilder& b) {
   const bool with_hole = b.Number("sink_hole") > 0.5f;
   const float rear = -0.5f * b.depth();
   const float side = 0.5f * b.width();
-  const float face = 0.5f * b.depth() - kFront_m - kHandle_m;
-  b.Box("fronts", {rear + 0.03f, -side, 0}, {face - 0.05f, side, kPlinth_m});
-  const float body_top = b.height() - kTop_m - (with_hole ? 0.24f : 0.0f);
-  b.Box("body", {rear, -side, kPlinth_m}, {face, side, body_top});
+  const float face = 0.5f * b.depth() - kFrontM - kHandleM;
+  b.Box("fronts", {rear + 0.03f, -side, 0}, {face - 0.05f, side, kPlinthM});
+  const float body_top = b.height() - kTopM - (with_hole ? 0.24f : 0.0f);
+  b.Box("body", {rear, -side, kPlinthM}, {face, side, body_top});
   if (with_hole) {  // around the basin only walls
-    b.Box("body", {face - 0.018f, -side, body_top}, {face, side, b.height() - kTop_m});
-    b.Box("body", {rear, -side, body_top}, {face - 0.018f, -side + 0.018f, b.height() - kTop_m});
-    b.Box("body", {rear, side - 0.018f, body_top}, {face - 0.018f, side, b.height() - kTop_m});
+    b.Box("body", {face - 0.018f, -side, body_top}, {face, side, b.height() - kTopM});
+    b.Box("body", {rear, -side, body_top}, {face - 0.018f, -side + 0.018f, b.height() - kTopM});
+    b.Box("body", {rear, side - 0.018f, body_top}, {face - 0.018f, side, b.height() - kTopM});
   }
   AddWorktop(b, with_hole);
   const int units = std::max(1, static_cast<int>(std::lround(b.width() / 0.6f)));
@@ -68,7 +68,7 @@ void BuildCounter(FurnitureBuilder& b) {
 void BuildSink(FurnitureBuilder& b) {
   const float rim = 0.17f / 0.45f * b.height();
   const float sheet_m = 0.006f;
-  const Eigen::Vector2f hole = 0.5f * kBasin_m.array() - 0.01f;
+  const Eigen::Vector2f hole = 0.5f * kBasinM.array() - 0.01f;
   const float x_m = 0.5f * b.depth();
   const float y_m = 0.5f * b.width();
   b.Box("steel", {-hole.x(), -hole.y(), 0}, {hole.x(), hole.y(), sheet_m});

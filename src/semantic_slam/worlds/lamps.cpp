@@ -7,17 +7,17 @@
 namespace semantic_slam {
 namespace {
 
-constexpr float kPaper_m = 0.004f;  // thickness of a shade
+constexpr float kPaperM = 0.004f;  // thickness of a shade
 
 // A shade that is open below and above: a thin wall between two cones.
 Mesh ShadeMesh(const Eigen::Vector3f& foot_m, float bottom_radius_m, float top_radius_m,
                float height_m) {
   return LatheMesh(foot_m,
-                   {{bottom_radius_m - kPaper_m, 0},
+                   {{bottom_radius_m - kPaperM, 0},
                     {bottom_radius_m, 0},
                     {top_radius_m, height_m},
-                    {top_radius_m - kPaper_m, height_m},
-                    {bottom_radius_m - kPaper_m, 0}},
+                    {top_radius_m - kPaperM, height_m},
+                    {bottom_radius_m - kPaperM, 0}},
                    28);
 }
 

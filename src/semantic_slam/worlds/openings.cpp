@@ -11,27 +11,27 @@ namespace semantic_slam {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kCover_m = 0.05f;  // how far a door's casing covers the wall around its opening
-constexpr float kJamb_m = 0.03f;   // thickness of the lining inside
-constexpr float kLeaf_m = 0.04f;
+constexpr float kCoverM = 0.05f;  // how far a door's casing covers the wall around its opening
+constexpr float kJambM = 0.03f;   // thickness of the lining inside
+constexpr float kLeafM = 0.04f;
 
 // The lining and the boards around it on both sides of the wall.
 void AddDoorFrame(FurnitureBuilder& b) {
   const float x = 0.5f * b.depth();
   const float outer = 0.5f * b.width();
-  const float opening = outer - kCover_m;
-  const float inner = opening - kJamb_m;
-  const float lintel = b.height() - kCover_m - kJamb_m;
+  const float opening = outer - kCoverM;
+  const float inner = opening - kJambM;
+  const float lintel = b.height() - kCoverM - kJambM;
   for (const float side : {-1.0f, 1.0f}) {
     const auto upright = [&](float rear, float front, float edge, float top) {
       b.Box("frame", {rear, std::min(side * inner, side * edge), 0},
             {front, std::max(side * inner, side * edge), top});
     };
-    upright(-x + 0.015f, x - 0.015f, opening, lintel + kJamb_m);
+    upright(-x + 0.015f, x - 0.015f, opening, lintel + kJambM);
     upright(-x, -x + 0.015f, outer, b.height());
     upright(x - 0.015f, x, outer, b.height());
   }
-  b.Box("frame", {-x + 0.015f, -inner, lintel}, {x - 0.015f, inner, lintel + kJamb_m});
+  b.Box("frame", {-x + 0.015f, -inner, lintel}, {x - 0.015f, inner, lintel + kJambM});
   for (const float rear : {-x, x - 0.015f}) {
     b.Box("frame", {rear, -inner, lintel}, {rear + 0.015f, inner, b.height()});
   }
@@ -40,10 +40,10 @@ void AddDoorFrame(FurnitureBuilder& b) {
 // A leaf with two raised panels and a handle on each side, opened about its hinges on the left or
 // right as seen from the front, to which it opens.
 void AddLeaf(FurnitureBuilder& b) {
-  const float wide = b.width() - 2 * kCover_m - 2 * kJamb_m - 0.008f;
-  const float high = b.height() - kCover_m - kJamb_m - 0.004f;
+  const float wide = b.width() - 2 * kCoverM - 2 * kJambM - 0.008f;
+  const float high = b.height() - kCoverM - kJambM - 0.004f;
   const float hinge = b.Number("hinge_left") > 0.5f ? -1.0f : 1.0f;  // left as seen is -y
-  const float handle_m = std::min(0.05f, 0.5f * (b.depth() - kLeaf_m) - 0.005f);
+  const float handle_m = std::min(0.05f, 0.5f * (b.depth() - kLeafM) - 0.005f);
   Rigid3d T = Rigid3d(Eigen::Translation3d(0, hinge * 0.5f * wide, 0));
   T.rotate(Eigen::AngleAxisd(hinge * b.Number("open_deg") * kPi / 180, Eigen::Vector3d::UnitZ()));
   const auto add = [&](const char* part, const Eigen::Vector3f& centre,
@@ -51,14 +51,14 @@ void AddLeaf(FurnitureBuilder& b) {
     const Eigen::Vector3f mirrored(centre.x(), -hinge * centre.y(), centre.z());
     b.Add(part, BoxMesh(mirrored, size), T);
   };
-  add("leaf", {0, 0.5f * wide, 0.5f * high + 0.004f}, {kLeaf_m, wide, high - 0.008f});
+  add("leaf", {0, 0.5f * wide, 0.5f * high + 0.004f}, {kLeafM, wide, high - 0.008f});
   for (const float side : {-1.0f, 1.0f}) {
-    const float face = side * (0.5f * kLeaf_m + 0.003f);
+    const float face = side * (0.5f * kLeafM + 0.003f);
     add("leaf", {face, 0.5f * wide, 0.26f * high}, {0.006f, wide - 0.24f, 0.32f * high});
     add("leaf", {face, 0.5f * wide, 0.71f * high}, {0.006f, wide - 0.24f, 0.42f * high});
-    const float lever = side * (0.5f * kLeaf_m + handle_m - 0.008f);
-    add("handle", {0.5f * (lever + side * 0.5f * kLeaf_m), wide - 0.06f, 1.03f},
-        {std::abs(lever - side * 0.5f * kLeaf_m), 0.02f, 0.02f});
+    const float lever = side * (0.5f * kLeafM + handle_m - 0.008f);
+    add("handle", {0.5f * (lever + side * 0.5f * kLeafM), wide - 0.06f, 1.03f},
+        {std::abs(lever - side * 0.5f * kLeafM), 0.02f, 0.02f});
     add("handle", {lever, wide - 0.11f, 1.03f}, {0.016f, 0.12f, 0.022f});
   }
 }

@@ -10,8 +10,8 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kFarthest_m = 1000.0;
-constexpr double kGapToWall_m = 0.02;  // skirting boards are 12 mm thick
+constexpr double kFarthestM = 1000.0;
+constexpr double kGapToWallM = 0.02;  // skirting boards are 12 mm thick
 
 Rigid3d Upright(const Eigen::Vector2d& at_m, double z_m, double yaw_deg) {
   Rigid3d T = Rigid3d(Eigen::Translation3d(at_m.x(), at_m.y(), z_m));
@@ -24,7 +24,7 @@ std::optional<double> ReadFinite(YamlReader& reader, const std::string& key) {
   double value = 0.0;
   reader.Read(key, value);
   if (!reader.Has(key)) return std::nullopt;
-  if (!(std::abs(value) <= kFarthest_m)) reader.Refuse(key, "a number within 1000");
+  if (!(std::abs(value) <= kFarthestM)) reader.Refuse(key, "a number within 1000");
   return value;
 }
 
@@ -42,7 +42,7 @@ struct PlacementReader::Place {
 Eigen::Vector2d ReadPlace(YamlReader& reader, const std::string& key) {
   const auto numbers = reader.Require<std::vector<double>>(key);
   const bool usable = std::all_of(numbers.begin(), numbers.end(),
-                                  [](double value) { return std::abs(value) <= kFarthest_m; });
+                                  [](double value) { return std::abs(value) <= kFarthestM; });
   if (numbers.size() != 2 || !usable) reader.Refuse(key, "[x, y] within 1 km");
   return {numbers[0], numbers[1]};
 }
@@ -66,7 +66,7 @@ Rigid3d PlacementReader::AtWall(YamlReader& reader, const Placeable& piece,
     return building_.WallPose(building_.FindRoom(wall.substr(0, slash)),
                               SideNamed(wall.substr(slash + 1)), along_m);
   });
-  const double usual_gap_m = piece.mount == Mount::kWall ? 0.0 : kGapToWall_m;
+  const double usual_gap_m = piece.mount == Mount::kWall ? 0.0 : kGapToWallM;
   const double gap_m = ReadFinite(reader, "gap_m").value_or(usual_gap_m);
   const double back_m = piece.mount == Mount::kWall ? 0.0 : 0.5 * piece.size_m.x();
   return T_world_wall * Eigen::Translation3d(gap_m + back_m, 0, 0) * place.Pose();

@@ -12,7 +12,7 @@ namespace semantic_slam {
 namespace {
 
 constexpr double kWaypointPeriod_s = 0.2;  // of actors; Gazebo lays a spline through them
-constexpr double kLampRange_m = 12.0;
+constexpr double kLampRangeM = 12.0;
 
 // Six decimals; not "-0.000000".
 double Rounded(double value) {
@@ -113,7 +113,7 @@ void WriteSun(XmlText& xml) {
 // below as Light says.
 void WriteAttenuation(XmlText& xml) {
   xml.Open("attenuation");
-  xml.Leaf("range", Numbers(kLampRange_m));
+  xml.Leaf("range", Numbers(kLampRangeM));
   xml.Leaf("constant", "0.2");
   xml.Leaf("linear", "0");
   xml.Leaf("quadratic", "0.2");

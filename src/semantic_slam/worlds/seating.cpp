@@ -65,16 +65,16 @@ void AddChairBack(FurnitureBuilder& b, float seat_m, float post_m) {
 }
 
 void BuildChair(FurnitureBuilder& b) {
-  constexpr float kPost_m = 0.038f;
+  constexpr float kPostM = 0.038f;
   const float seat_m = 0.5f * b.height();
   const float board_m = 0.025f;
-  AddLegs(b, "frame", b.depth() - 0.02f, b.width(), seat_m - board_m, kPost_m);
+  AddLegs(b, "frame", b.depth() - 0.02f, b.width(), seat_m - board_m, kPostM);
   const float front = 0.5f * b.depth();
   const float side = 0.5f * b.width();
   b.Box("frame", {-front + 0.01f, -side, seat_m - 2 * board_m}, {front, side, seat_m - board_m});
   AddPadding(b, "seat", {-front + 0.06f, -side + 0.005f, seat_m - board_m},
              {front, side - 0.005f, seat_m + 0.02f}, 0.015f);
-  AddChairBack(b, seat_m - board_m, kPost_m);
+  AddChairBack(b, seat_m - board_m, kPostM);
 }
 
 // Five arms with castors, and the column in their middle up to `top_m`.

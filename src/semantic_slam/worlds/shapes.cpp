@@ -241,7 +241,7 @@ Mesh PillowMesh(const Eigen::Vector3f& centre_m, const Eigen::Vector3f& size_m) 
 }
 
 Mesh LeafMesh(float length_m, float width_m, float droop_m) {
-  constexpr float kHalf_m = 0.001f;   // of its thickness where it is widest
+  constexpr float kHalfM = 0.001f;    // of its thickness where it is widest
   const auto outline = [](float v) {  // widest at a quarter of its length
     return std::max(std::sin(kPi * std::sqrt(std::max(1.0f - v, 0.0f))), 0.06f);
   };
@@ -253,7 +253,7 @@ Mesh LeafMesh(float length_m, float width_m, float droop_m) {
     return {along * length_m, half_m * across, -droop_m * along * along - valley_m};
   };
   return SheetMesh(
-      middle_m, [=](float, float v) { return kHalf_m * outline(v); }, Eigen::Vector3f::UnitZ(), 4,
+      middle_m, [=](float, float v) { return kHalfM * outline(v); }, Eigen::Vector3f::UnitZ(), 4,
       6);
 }
 

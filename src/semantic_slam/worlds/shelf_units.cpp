@@ -8,7 +8,7 @@
 namespace semantic_slam {
 namespace {
 
-constexpr float kBoard_m = 0.02f;
+constexpr float kBoardM = 0.02f;
 
 // A free space on a board: from `right_m` to `left_m` (y), from the board up, as deep as from
 // `rear_m` to `front_m` (x).
@@ -47,20 +47,20 @@ std::vector<Space> AddCase(FurnitureBuilder& b, int rows) {
   const float front = 0.5f * b.depth();
   const float side = 0.5f * b.width();
   const float plinth_m = 0.06f;
-  b.Box("body", {rear, -side, 0}, {front, -side + kBoard_m, b.height()});
-  b.Box("body", {rear, side - kBoard_m, 0}, {front, side, b.height()});
-  b.Box("body", {rear, -side + kBoard_m, plinth_m},
-        {rear + 0.006f, side - kBoard_m, b.height() - kBoard_m});
-  b.Box("body", {front - 0.04f, -side + kBoard_m, 0}, {front - 0.02f, side - kBoard_m, plinth_m});
-  const float each_m = (b.height() - plinth_m - kBoard_m) / rows;
+  b.Box("body", {rear, -side, 0}, {front, -side + kBoardM, b.height()});
+  b.Box("body", {rear, side - kBoardM, 0}, {front, side, b.height()});
+  b.Box("body", {rear, -side + kBoardM, plinth_m},
+        {rear + 0.006f, side - kBoardM, b.height() - kBoardM});
+  b.Box("body", {front - 0.04f, -side + kBoardM, 0}, {front - 0.02f, side - kBoardM, plinth_m});
+  const float each_m = (b.height() - plinth_m - kBoardM) / rows;
   std::vector<Space> spaces;
   for (int i = 0; i <= rows; ++i) {
     const float low = plinth_m + i * each_m;
-    b.Box("body", {rear + (i < rows ? 0.006f : 0.0f), -side + kBoard_m, low},
-          {front, side - kBoard_m, low + kBoard_m});
+    b.Box("body", {rear + (i < rows ? 0.006f : 0.0f), -side + kBoardM, low},
+          {front, side - kBoardM, low + kBoardM});
     if (i == rows) break;
     spaces.push_back(
-        {rear + 0.006f, front, -side + kBoard_m, side - kBoard_m, low + kBoard_m, low + each_m});
+        {rear + 0.006f, front, -side + kBoardM, side - kBoardM, low + kBoardM, low + each_m});
   }
   return spaces;
 }
@@ -89,15 +89,15 @@ void BuildRack(FurnitureBuilder& b) {
   const int rows = std::max(2, static_cast<int>(std::lround(b.height() / 0.42f)));
   for (int i = 0; i < rows; ++i) {
     const float low = 0.12f + i * (b.height() - 0.16f) / (rows - 1) - (i + 1 == rows ? 0.02f : 0);
-    b.Box("boards", {-x_m + 0.5f * post_m, -y_m, low}, {x_m - 0.5f * post_m, y_m, low + kBoard_m});
+    b.Box("boards", {-x_m + 0.5f * post_m, -y_m, low}, {x_m - 0.5f * post_m, y_m, low + kBoardM});
     if (i + 1 == rows) break;
-    const float rise_m = (b.height() - 0.16f) / (rows - 1) - kBoard_m;
+    const float rise_m = (b.height() - 0.16f) / (rows - 1) - kBoardM;
     for (float y = y_m - 0.05f; y > -y_m + 0.3f; y -= 0.36f) {
       if (b.Random(0, 1) > b.Number("fill")) continue;
       const float depth_m = b.Random(0.6f, 0.9f) * b.depth() - 2 * post_m;
       const float width_m = b.Random(0.18f, 0.3f);
-      b.Box("boxes", {-0.5f * depth_m, y - width_m, low + kBoard_m},
-            {0.5f * depth_m, y, low + kBoard_m + b.Random(0.4f, 0.8f) * rise_m});
+      b.Box("boxes", {-0.5f * depth_m, y - width_m, low + kBoardM},
+            {0.5f * depth_m, y, low + kBoardM + b.Random(0.4f, 0.8f) * rise_m});
     }
   }
 }
@@ -106,14 +106,14 @@ void BuildRack(FurnitureBuilder& b) {
 void BuildWallShelf(FurnitureBuilder& b) {
   const float side = 0.5f * b.width();
   const float bracket_m = 0.1f;
-  b.Box("body", {0, -side, bracket_m}, {b.depth(), side, bracket_m + kBoard_m});
+  b.Box("body", {0, -side, bracket_m}, {b.depth(), side, bracket_m + kBoardM});
   for (const float y : {-0.7f * side, 0.7f * side}) {
     b.Box("brackets", {0, y - 0.01f, 0}, {0.012f, y + 0.01f, bracket_m});
     b.Box("brackets", {0, y - 0.01f, bracket_m - 0.012f},
           {0.85f * b.depth(), y + 0.01f, bracket_m});
   }
   // One that is as high as asked for, whatever the others are.
-  const float top = bracket_m + kBoard_m;
+  const float top = bracket_m + kBoardM;
   b.BoxWithPicture("paper", "books", {0.02f, side - 0.25f, top},
                    {0.8f * b.depth(), side - 0.05f, b.height()});
   if (b.Number("fill") > 0.5f) {

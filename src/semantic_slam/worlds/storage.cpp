@@ -8,9 +8,9 @@
 namespace semantic_slam {
 namespace {
 
-constexpr float kFront_m = 0.018f;   // thickness of drawer fronts and doors
-constexpr float kHandle_m = 0.022f;  // how far handles stick out
-constexpr float kGap_m = 0.003f;     // around fronts
+constexpr float kFrontM = 0.018f;   // thickness of drawer fronts and doors
+constexpr float kHandleM = 0.022f;  // how far handles stick out
+constexpr float kGapM = 0.003f;     // around fronts
 
 // The space that a row of fronts covers: heights and the left and right end.
 struct FrontArea {
@@ -21,18 +21,18 @@ struct FrontArea {
 };
 
 float FaceOf(const FurnitureBuilder& b) {
-  return 0.5f * b.depth() - kFront_m - kHandle_m;
+  return 0.5f * b.depth() - kFrontM - kHandleM;
 }
 
 void AddFront(FurnitureBuilder& b, const FrontArea& area) {
   const float face = FaceOf(b);
-  b.Box("fronts", {face, area.right_m + kGap_m, area.low_m + kGap_m},
-        {face + kFront_m, area.left_m - kGap_m, area.high_m - kGap_m});
+  b.Box("fronts", {face, area.right_m + kGapM, area.low_m + kGapM},
+        {face + kFrontM, area.left_m - kGapM, area.high_m - kGapM});
 }
 
 void AddHandle(FurnitureBuilder& b, float y_m, float z_m, float width_m, float height_m) {
   const float x = 0.5f * b.depth();
-  b.Box("handles", {x - kHandle_m, y_m - 0.5f * width_m, z_m - 0.5f * height_m},
+  b.Box("handles", {x - kHandleM, y_m - 0.5f * width_m, z_m - 0.5f * height_m},
         {x, y_m + 0.5f * width_m, z_m + 0.5f * height_m});
 }
 
@@ -71,7 +71,7 @@ void AddCarcass(FurnitureBuilder& b, float low_m, float high_m) {
 void AddFeet(FurnitureBuilder& b, float height_m) {
   const float x_m = 0.5f * b.depth() - 0.07f;
   const float y_m = 0.5f * b.width() - 0.04f;
-  for (const float x : {-x_m, x_m - kHandle_m}) {
+  for (const float x : {-x_m, x_m - kHandleM}) {
     for (const float y : {-y_m, y_m}) {
       b.Add("body", BeamMesh({x, y, 0}, {x, y, height_m}, {0.028f, 0.028f}, {0.04f, 0.04f}));
     }
@@ -81,7 +81,7 @@ void AddFeet(FurnitureBuilder& b, float height_m) {
 // A board on top that sticks out a little.
 void AddTopBoard(FurnitureBuilder& b, float thickness_m) {
   b.Box("top", {-0.5f * b.depth(), -0.5f * b.width(), b.height() - thickness_m},
-        {0.5f * b.depth() - 0.5f * kHandle_m, 0.5f * b.width(), b.height()});
+        {0.5f * b.depth() - 0.5f * kHandleM, 0.5f * b.width(), b.height()});
 }
 
 void BuildDresser(FurnitureBuilder& b) {
@@ -101,21 +101,21 @@ void BuildDresser(FurnitureBuilder& b) {
 
 // A drawer above an open niche.
 void BuildNightStand(FurnitureBuilder& b) {
-  constexpr float kBoard_m = 0.018f;
+  constexpr float kBoardM = 0.018f;
   const float feet_m = 0.12f;
   const float rear = -0.5f * b.depth();
   const float side = 0.5f * b.width();
   const float drawer_m = feet_m + 0.55f * (b.height() - feet_m);
   AddFeet(b, feet_m);
-  AddTopBoard(b, kBoard_m);
-  AddCarcass(b, drawer_m, b.height() - kBoard_m);
-  AddDrawers(b, WholeFront(b, drawer_m, b.height() - kBoard_m), 1);
-  b.Box("body", {rear, -side, feet_m}, {FaceOf(b), side, feet_m + kBoard_m});
-  for (const float y : {-side, side - kBoard_m}) {
-    b.Box("body", {rear, y, feet_m + kBoard_m}, {FaceOf(b), y + kBoard_m, drawer_m});
+  AddTopBoard(b, kBoardM);
+  AddCarcass(b, drawer_m, b.height() - kBoardM);
+  AddDrawers(b, WholeFront(b, drawer_m, b.height() - kBoardM), 1);
+  b.Box("body", {rear, -side, feet_m}, {FaceOf(b), side, feet_m + kBoardM});
+  for (const float y : {-side, side - kBoardM}) {
+    b.Box("body", {rear, y, feet_m + kBoardM}, {FaceOf(b), y + kBoardM, drawer_m});
   }
-  b.Box("body", {rear, -side + kBoard_m, feet_m + kBoard_m},
-        {rear + 0.008f, side - kBoard_m, drawer_m});
+  b.Box("body", {rear, -side + kBoardM, feet_m + kBoardM},
+        {rear + 0.008f, side - kBoardM, drawer_m});
 }
 
 void BuildWardrobe(FurnitureBuilder& b) {
@@ -153,16 +153,16 @@ void BuildFilingCabinet(FurnitureBuilder& b) {
 
 // On a wall, as above a kitchen's worktop. Its frame's origin is on the wall.
 void BuildWallCabinet(FurnitureBuilder& b) {
-  const float face = b.depth() - kFront_m - kHandle_m;
+  const float face = b.depth() - kFrontM - kHandleM;
   b.Box("body", {0, -0.5f * b.width(), 0}, {face, 0.5f * b.width(), b.height()});
   const int doors = std::max(1, static_cast<int>(std::lround(b.width() / 0.45f)));
   const float each_m = b.width() / doors;
   for (int i = 0; i < doors; ++i) {
     const float right = -0.5f * b.width() + i * each_m;
-    b.Box("fronts", {face, right + kGap_m, kGap_m},
-          {face + kFront_m, right + each_m - kGap_m, b.height() - kGap_m});
+    b.Box("fronts", {face, right + kGapM, kGapM},
+          {face + kFrontM, right + each_m - kGapM, b.height() - kGapM});
     const float y = i % 2 == 0 ? right + each_m - 0.05f : right + 0.05f;
-    b.Box("handles", {face + kFront_m, y - 0.007f, 0.06f}, {b.depth(), y + 0.007f, 0.2f});
+    b.Box("handles", {face + kFrontM, y - 0.007f, 0.06f}, {b.depth(), y + 0.007f, 0.2f});
   }
 }
 

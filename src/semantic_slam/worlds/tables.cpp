@@ -70,23 +70,23 @@ void BuildRoundTable(FurnitureBuilder& b) {
 
 // Three drawers under the top at the left of who sits there.
 void AddPedestal(FurnitureBuilder& b, float top_m) {
-  constexpr float kWidth_m = 0.42f;
-  constexpr float kFloor_m = 0.05f;
+  constexpr float kWidthM = 0.42f;
+  constexpr float kFloorM = 0.05f;
   const float front = 0.5f * b.depth() - 0.05f;
   const float left = 0.5f * b.width() - 0.06f;
   const float rear = front - std::min(0.5f, b.depth() - 0.1f);
-  b.Box("legs", {rear, left - kWidth_m, kFloor_m}, {front - 0.018f, left, top_m});
-  const float each_m = (top_m - kFloor_m) / 3;
+  b.Box("legs", {rear, left - kWidthM, kFloorM}, {front - 0.018f, left, top_m});
+  const float each_m = (top_m - kFloorM) / 3;
   for (int i = 0; i < 3; ++i) {
-    const float low = kFloor_m + i * each_m;
-    b.Box("top", {front - 0.018f, left - kWidth_m + 0.003f, low + 0.003f},
+    const float low = kFloorM + i * each_m;
+    b.Box("top", {front - 0.018f, left - kWidthM + 0.003f, low + 0.003f},
           {front, left - 0.003f, low + each_m - 0.003f});
-    b.Box("handles", {front, left - 0.5f * kWidth_m - 0.06f, low + 0.7f * each_m},
-          {front + 0.02f, left - 0.5f * kWidth_m + 0.06f, low + 0.7f * each_m + 0.012f});
+    b.Box("handles", {front, left - 0.5f * kWidthM - 0.06f, low + 0.7f * each_m},
+          {front + 0.02f, left - 0.5f * kWidthM + 0.06f, low + 0.7f * each_m + 0.012f});
   }
   for (const float x : {rear + 0.03f, front - 0.05f}) {
-    for (const float y : {left - 0.03f, left - kWidth_m + 0.03f}) {
-      b.Add("handles", CylinderMesh({x, y, 0}, 0.02f, 0.02f, kFloor_m, 10));
+    for (const float y : {left - 0.03f, left - kWidthM + 0.03f}) {
+      b.Add("handles", CylinderMesh({x, y, 0}, 0.02f, 0.02f, kFloorM, 10));
     }
   }
 }

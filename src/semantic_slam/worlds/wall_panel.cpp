@@ -6,14 +6,14 @@
 namespace semantic_slam {
 namespace {
 
-constexpr float kSame_m = 1e-4f;
+constexpr float kSameM = 1e-4f;
 
 // Sorted, from 0 to `end_m`, without what is nearly the same.
 std::vector<float> Cuts(std::vector<float> cuts, float end_m) {
   cuts.push_back(0.0f);
   cuts.push_back(end_m);
   std::sort(cuts.begin(), cuts.end());
-  const auto same = [](float a, float b) { return std::abs(a - b) < kSame_m; };
+  const auto same = [](float a, float b) { return std::abs(a - b) < kSameM; };
   cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
   return cuts;
 }

@@ -40,33 +40,33 @@ void BuildPoster(FurnitureBuilder& b) {
 
 // With a tray for pens below.
 void BuildWhiteboard(FurnitureBuilder& b) {
-  constexpr float kTray_m = 0.03f;
-  constexpr float kBar_m = 0.025f;
+  constexpr float kTrayM = 0.03f;
+  constexpr float kBarM = 0.025f;
   const float side = 0.5f * b.width();
   const float face = std::min(0.03f, 0.4f * b.depth());
-  b.Box("frame", {0, -side, kTray_m}, {face, side, kTray_m + kBar_m});
-  b.Box("frame", {0, -side, b.height() - kBar_m}, {face, side, b.height()});
-  for (const float y : {-side, side - kBar_m}) {
-    b.Box("frame", {0, y, kTray_m + kBar_m}, {face, y + kBar_m, b.height() - kBar_m});
+  b.Box("frame", {0, -side, kTrayM}, {face, side, kTrayM + kBarM});
+  b.Box("frame", {0, -side, b.height() - kBarM}, {face, side, b.height()});
+  for (const float y : {-side, side - kBarM}) {
+    b.Box("frame", {0, y, kTrayM + kBarM}, {face, y + kBarM, b.height() - kBarM});
   }
-  b.BoxWithPicture("frame", "board", {0, -side + kBar_m, kTray_m + kBar_m},
-                   {0.7f * face, side - kBar_m, b.height() - kBar_m});
+  b.BoxWithPicture("frame", "board", {0, -side + kBarM, kTrayM + kBarM},
+                   {0.7f * face, side - kBarM, b.height() - kBarM});
   b.Box("frame", {0, -0.4f * side, 0}, {b.depth(), 0.4f * side, 0.012f});
-  b.Box("frame", {0, -0.4f * side, 0.012f}, {face, 0.4f * side, kTray_m});
+  b.Box("frame", {0, -0.4f * side, 0.012f}, {face, 0.4f * side, kTrayM});
 }
 
 // A cork board with sheets of paper on it.
 void BuildPinBoard(FurnitureBuilder& b) {
-  constexpr float kBar_m = 0.02f;
-  const float inner = 0.5f * b.width() - kBar_m;
+  constexpr float kBarM = 0.02f;
+  const float inner = 0.5f * b.width() - kBarM;
   const float board = 0.6f * b.depth();
-  AddFrame(b, kBar_m);
-  b.Box("cork", {0, -inner, kBar_m}, {board, inner, b.height() - kBar_m});
+  AddFrame(b, kBarM);
+  b.Box("cork", {0, -inner, kBarM}, {board, inner, b.height() - kBarM});
   const int columns = std::max(1, static_cast<int>(2 * inner / 0.3f));
   for (int i = 0; i < columns; ++i) {
     const float y = inner - (i + 0.5f) * 2 * inner / columns + b.Random(-0.02f, 0.02f);
-    const float low = kBar_m + b.Random(0.08f, 0.4f) * (b.height() - 0.4f);
-    const float high = std::min(low + b.Random(0.22f, 0.32f), b.height() - kBar_m - 0.01f);
+    const float low = kBarM + b.Random(0.08f, 0.4f) * (b.height() - 0.4f);
+    const float high = std::min(low + b.Random(0.22f, 0.32f), b.height() - kBarM - 0.01f);
     b.BoxWithPicture("frame", "sheets", {board, y - 0.1f, low}, {board + 0.002f, y + 0.1f, high});
   }
 }
