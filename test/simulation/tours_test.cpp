@@ -35,6 +35,26 @@ TEST_P(ToursTest, TouchNothing) {
   }
 }
 
+// Leaves room for a drone that knows its pose only roughly and cuts corners.
+TEST_P(ToursTest, KeepTheirDistance) {
+  constexpr double kRoomM = 0.45;
+  const std::string config = SEMANTIC_SLAM_SOURCE_DIR "/config/";
+  const World world = LoadWorld(config + "worlds/" + GetParam() + ".yaml",
+                                LabelVocabulary::Load(config + "labels.yaml"));
+  const std::vector<Waypoint> waypoints =
+      LoadTour(config + "tours/" + GetParam() + ".yaml").waypoints;
+  const Clearance clearance(world);
+  for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
+    for (double share = 0.0; share < 1.0; share += 0.1) {
+      const Eigen::Vector3d place =
+          (1.0 - share) * waypoints[i].position_m + share * waypoints[i + 1].position_m;
+      const NearestSurface nearest = clearance.At(place, 0.0);
+      EXPECT_GT(nearest.distance_m, kRoomM)
+          << "from " << world.objects[nearest.instance - 1].name << " at " << place.transpose();
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(OfThePackage, ToursTest, testing::Values("home", "office"));
 
 }  // namespace
