@@ -116,7 +116,7 @@ RenderOptions ReadOptions(const Arguments& arguments) {
 }
 
 bool IsTour(const std::string& trajectory) {
-  return fs::path(trajectory).extension() == ".yaml" || !fs::exists(trajectory);
+  return fs::path(trajectory).extension() == ".yaml" || !fs::is_regular_file(trajectory);
 }
 
 CameraPath MakePath(const Arguments& arguments, const RenderOptions& options) {

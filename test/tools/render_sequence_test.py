@@ -134,6 +134,15 @@ def test_follows_recorded_poses(run_program, noisy, tmp_path):
     assert np.allclose(sorted(followed.items())[4][1], flown[fifth], atol=1e-4)
 
 
+def test_names_mean_files_of_the_package(run_program, noisy, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "home").mkdir()  # is no tour
+    result = run_program("render_sequence", noisy / "world.yaml", "home", tmp_path / "out", "--camera",
+                         noisy / "camera.yaml", "--rate", "2", "--duration", "0.5")
+    assert result.returncode == 0, result.stderr
+    assert len(stamps(tmp_path / "out")) == 2
+
+
 def test_writes_a_bag(render):
     bag = render("flight.bag", "--duration", "0.3")
     assert bag.read_bytes().startswith(b"#ROSBAG")
