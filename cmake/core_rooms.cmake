@@ -37,7 +37,7 @@ function(semantic_slam_room name)
   set(SEMANTIC_SLAM_ROOMS ${SEMANTIC_SLAM_ROOMS} ${name} CACHE INTERNAL "")
 endfunction()
 
-# Seeded fixtures that tests and the demo share: test/testing.
+# Seeded fixtures that tests share: test/testing.
 function(semantic_slam_testing_library)
   file(GLOB sources CONFIGURE_DEPENDS test/testing/*.cpp)
   list(FILTER sources EXCLUDE REGEX "_(main|test)\\.cpp$")

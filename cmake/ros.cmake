@@ -91,7 +91,7 @@ function(semantic_slam_programs)
     get_filename_component(program ${source} NAME_WE)
     semantic_slam_executable(${program} ${source} semantic_slam_tools)
   endforeach()
-  # The small textured room that demo and tests use where no recording is at hand.
+  # The small textured room that tests use.
   set(room test/testing/render_textured_room_main.cpp)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${room})
     semantic_slam_executable(render_textured_room ${room} semantic_slam_tools semantic_slam_testing)
