@@ -39,14 +39,6 @@ class Scenes:
         return image, fill(image.shape[:2], box, 1, 0, np.uint8)
 
 
-class BoxedScenes(Scenes):
-    """Detection in memory: one box of class 1 in each image."""
-
-    def read(self, index):
-        image, box = scene(index)
-        return image, np.array([box], np.float32), np.array([1])
-
-
 def write_image(path, image):
     path.parent.mkdir(parents=True, exist_ok=True)
     cv2.imwrite(str(path), image if image.ndim == 2 else image[:, :, ::-1])
