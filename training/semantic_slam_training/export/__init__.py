@@ -1,0 +1,1 @@
+"""Networks as OpenCV 4.6 and the rest of the package want them: ONNX, class names, model card."""
