@@ -47,7 +47,7 @@ SimulatorNode::SimulatorNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
       is_controlled_(IsControlled(private_nh, parameters.node)),
       vocabulary_(LoadLabels(private_nh, parameters.labels)),
       tour_(LoadTourIfNamed(parameters.node)),
-      T_world_start_(StartPose(parameters.node, tour_)),
+      T_world_start_(FlightStart(parameters.node, tour_)),
       world_(std::make_shared<const World>(semantic_slam::LoadWorld(
           RequiredFile(private_nh, "world", parameters.node.world), vocabulary_))),
       camera_(std::make_shared<const semantic_slam::SceneRenderer>(world_),

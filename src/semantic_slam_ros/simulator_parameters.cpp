@@ -28,7 +28,7 @@ Tour LoadTourIfNamed(const SimulatorNodeOptions& options) {
   return options.tour.empty() ? Tour() : semantic_slam::LoadTour(options.tour);
 }
 
-Rigid3d StartPose(const SimulatorNodeOptions& options, const Tour& tour) {
+Rigid3d FlightStart(const SimulatorNodeOptions& options, const Tour& tour) {
   if (!tour.waypoints.empty()) {
     const semantic_slam::Waypoint& first = tour.waypoints.front();
     return Eigen::Translation3d(first.position_m) *

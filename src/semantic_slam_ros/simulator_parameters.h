@@ -112,8 +112,8 @@ std::string RequiredFile(const ros::NodeHandle& private_nh, const char* name,
 semantic_slam::Tour LoadTourIfNamed(const SimulatorNodeOptions& options);
 
 // T_world_base at the tour's first waypoint, or at start_* for a tour without.
-semantic_slam::Rigid3d StartPose(const SimulatorNodeOptions& options,
-                                 const semantic_slam::Tour& tour);
+semantic_slam::Rigid3d FlightStart(const SimulatorNodeOptions& options,
+                                   const semantic_slam::Tour& tour);
 
 // With the speed that the tour wants.
 semantic_slam::SimulatedFlightOptions FlightOptionsFor(

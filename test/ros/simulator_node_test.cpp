@@ -54,13 +54,13 @@ class Answerer {
 
   // Answers until an answer brings the next image: then the simulator listens.
   bool Begin() {
-    return SpinUntil(
-        [&] {
-          if (!colour.last() || !odometry.last()) return false;
-          Answer();
-          return SpinUntil([&] { return Waits(); }, 0.2);
-        },
-        kLimitS);
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLimitS);
+    while (ros::WallTime::now() < end) {
+      if (!SpinUntil([&] { return colour.last() && odometry.last(); }, kLimitS)) return false;
+      Answer();
+      if (SpinUntil([&] { return Waits(); }, 0.2)) return true;
+    }
+    return false;
   }
 
   ros::Time stamp() const { return colour.last()->header.stamp; }
@@ -122,6 +122,8 @@ class Answerer {
   Listener<rosgraph_msgs::Clock> clock{nh, "/clock"};
   Listener<semantic_slam::SemanticImage> semantic{nh, "semantic_image"};
   Listener<semantic_slam::DetectionArray> detections{nh, "detections"};
+  Listener<sensor_msgs::Image> semantic_overlay{nh, "semantic_overlay"};
+  Listener<sensor_msgs::Image> detection_overlay{nh, "detection_overlay"};
   Listener<semantic_slam::LabelSet> labels{nh, "labels"};
   Listener<DiagnosticArray> diagnostics{nh, "/diagnostics"};
 
@@ -293,6 +295,17 @@ TEST_F(SimulatorNodeTest, BoxesHoldWhatTheLabelsShow) {
     }
   }
   EXPECT_EQ(boxes, 1);
+}
+
+TEST_F(SimulatorNodeTest, OverlaysShowLabelsAndBoxesInTheImage) {
+  ASSERT_TRUE(a().Step());
+  for (const auto* overlay : {&a().semantic_overlay, &a().detection_overlay}) {
+    ASSERT_TRUE(SpinUntil(
+        [&] { return overlay->last() && overlay->last()->header.stamp == a().stamp(); }, kLimitS));
+    EXPECT_EQ(overlay->last()->width, a().colour.last()->width);
+    EXPECT_EQ(overlay->last()->encoding, a().colour.last()->encoding);
+    EXPECT_NE(overlay->last()->data, a().colour.last()->data);
+  }
 }
 
 TEST_F(SimulatorNodeTest, TimeStandsStillWhilePaused) {
