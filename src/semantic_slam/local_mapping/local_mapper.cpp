@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "semantic_slam/tracking/projection_matcher.h"
+#include "semantic_slam/local_mapping/point_fusion.h"
 
 namespace semantic_slam {
 namespace {
@@ -14,22 +14,7 @@ namespace {
 // A point is on probation until this many keyframes have followed the one that made it.
 constexpr int kProbationKeyframes = 3;
 constexpr int kProbationMinObservations = 2;
-constexpr int kFusionMaxDistance = 50;
 constexpr float kFusionRadiusPx = 3.0f;
-
-bool DepthFits(const Feature& feature, double z_m, const ObservationNoise& noise) {
-  if (!feature.has_depth()) return true;
-  const double error = (1.0 / z_m - 1.0 / feature.depth_m) / noise.InverseDepthSigma();
-  return error * error <= 2.0 * kChi2Depth;  // both the point's depth and this one are noisy
-}
-
-std::vector<PointId> PointsOf(const Keyframe& keyframe) {
-  std::vector<PointId> points;
-  for (const PointId id : keyframe.points) {
-    if (id != kNoPoint) points.push_back(id);
-  }
-  return points;
-}
 
 }  // namespace
 
@@ -102,59 +87,18 @@ void LocalMapper::FuseWithNeighbours(KeyframeId keyframe_id) {
   const std::vector<PointId> own = PointsOf(*map_.FindKeyframe(keyframe_id));
   std::vector<PointId> theirs;
   for (const KeyframeId neighbour : neighbours) {
-    FuseInto(own, neighbour);
+    FusePoints(own, neighbour, kFusionRadiusPx, *camera_, noise_, map_);
     const std::vector<PointId> points = PointsOf(*map_.FindKeyframe(neighbour));
     theirs.insert(theirs.end(), points.begin(), points.end());
   }
   std::sort(theirs.begin(), theirs.end());
   theirs.erase(std::unique(theirs.begin(), theirs.end()), theirs.end());
-  FuseInto(theirs, keyframe_id);
+  FusePoints(theirs, keyframe_id, kFusionRadiusPx, *camera_, noise_, map_);
   for (const PointId id : PointsOf(*map_.FindKeyframe(keyframe_id))) {
     map_.UpdatePointAppearance(id);
     map_.UpdatePointGeometry(id);
   }
   map_.UpdateCovisibility(keyframe_id);
-}
-
-// Looks for the points in a keyframe that does not see them yet. A feature found there either gets
-// the point, or its own point turns out to be the same one.
-void LocalMapper::FuseInto(const std::vector<PointId>& points, KeyframeId target_id) {
-  const Keyframe& target = *map_.FindKeyframe(target_id);
-  const Rigid3d T_camera_map = target.T_map_camera.inverse();
-  const std::set<PointId> seen(target.points.begin(), target.points.end());
-  std::vector<ProjectionCandidate> candidates;
-  std::vector<PointId> ids;
-  for (const PointId id : points) {
-    const MapPoint* point = map_.FindPoint(id);
-    if (point == nullptr || seen.count(id) > 0) continue;
-    const auto view = PredictView(*point, T_camera_map, *camera_, map_.scales());
-    if (!view) continue;
-    candidates.push_back({view->pixel, kFusionRadiusPx * map_.scales()[view->octave],
-                          view->octave - 1, view->octave + 1, 0.0f, &point->descriptor});
-    ids.push_back(id);
-  }
-  ProjectionMatchingOptions matching;
-  matching.max_distance = kFusionMaxDistance;
-  const std::vector<int> matches = MatchByProjection(
-      candidates, *target.features, std::vector<bool>(target.points.size(), false), matching);
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    const MapPoint* point = map_.FindPoint(ids[i]);
-    if (matches[i] < 0 || point == nullptr) continue;
-    const Feature& feature = (*target.features)[matches[i]];
-    const Eigen::Vector3d p_camera = T_camera_map * point->position;
-    const double sigma = noise_.PixelSigma(map_.scales()[feature.octave]);
-    const double error =
-        (camera_->Project(p_camera) - feature.pixel.cast<double>()).norm() / sigma;
-    if (error * error > kChi2Pixel || !DepthFits(feature, p_camera.z(), noise_)) continue;
-    const MapPoint* present = map_.FindPoint(target.points[matches[i]]);
-    if (present == nullptr) {
-      map_.AddObservation(ids[i], target_id, matches[i]);
-    } else if (present->observations.size() > point->observations.size()) {
-      map_.MergePoints(ids[i], present->id);
-    } else {
-      map_.MergePoints(present->id, ids[i]);
-    }
-  }
 }
 
 // The new keyframe and those around it move, the keyframes farther out that see the same points hold

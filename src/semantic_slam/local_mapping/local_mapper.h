@@ -64,7 +64,6 @@ class LocalMapper {
 
   void CullRecentPoints(KeyframeId keyframe);
   void FuseWithNeighbours(KeyframeId keyframe);
-  void FuseInto(const std::vector<PointId>& points, KeyframeId target);
   Window SelectWindow(KeyframeId keyframe) const;
   void Apply(const Window& window, const BundleSummary& summary);
   void CullKeyframes(KeyframeId keyframe);
