@@ -42,6 +42,15 @@ TEST_F(CameraConfigTest, TheRotationIsGivenByRows) {
   EXPECT_TRUE((config.R_camera_imu * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY()));
 }
 
+TEST_F(CameraConfigTest, AShutterIsGlobalUnlessItIsSaidToRoll) {
+  EXPECT_EQ(Load(kCamera).intrinsics.readout_s, 0.0);
+  std::string rolling = kCamera;
+  rolling.insert(rolling.find('}'), ", readout_s: 0.02");
+  EXPECT_EQ(Load(rolling).intrinsics.readout_s, 0.02);
+  rolling.replace(rolling.find("0.02"), 4, "2.00");
+  ExpectError(rolling, {"readout_s = 2"});
+}
+
 TEST_F(CameraConfigTest, LeavesOtherGroupsToOtherReaders) {
   EXPECT_NO_THROW(Load(std::string(kCamera) + "tracking: {max_features: 1000}\n"));
 }

@@ -135,5 +135,50 @@ TEST(FrameFeaturesTest, RefusesAMalformedImage) {
             "depth image is empty");
 }
 
+TEST(FrameFeaturesTest, RectifiedFeaturesLieWhereTheMiddleRowsMomentShowsThem) {
+  const RgbdImage image = SquaresImage(1);  // 2 m away
+  const CameraModel camera(SmallIntrinsics());
+  const FrameFeatures frame(image, camera, SmallExtractor());
+  const CameraTwist twist{{0.5, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+  const double readout_s = 0.02;
+  const auto rectified = frame.Rectified(twist, readout_s, camera);
+  ASSERT_EQ(rectified->size(), frame.size());
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const Feature& before = frame[i];
+    const Feature& after = (*rectified)[i];
+    EXPECT_EQ(after.exposed, before.exposed);
+    EXPECT_EQ(after.raw, before.raw);
+    // A row t later is seen from 0.5 t farther right and turned right by t: in the middle's moment
+    // the point was farther right, by f (0.5 t / 2 m + t) where the view is straight ahead.
+    const double t = readout_s * (before.raw.y() / 239.0 - 0.5);
+    const double x = (before.pixel.x() - 159.5) / 260.0;
+    const double shift_px = 260.0 * (0.25 * t + t * (1.0 + x * x));
+    EXPECT_NEAR(after.pixel.x() - before.pixel.x(), shift_px, 0.1) << i;  // second order
+  }
+}
+
+TEST(FrameFeaturesTest, WithoutMotionOrReadoutRectifyingChangesNothing) {
+  const CameraModel camera = DistortedCamera();
+  const FrameFeatures frame(SquaresImage(1), camera, SmallExtractor());
+  const CameraTwist turning{{0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}};
+  const auto at_rest = frame.Rectified(CameraTwist(), 0.03, camera);
+  const auto global = frame.Rectified(turning, 0.0, camera);
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    // Back and forth through the ray: float rounding.
+    EXPECT_LT(((*at_rest)[i].pixel - frame[i].pixel).norm(), 1e-3f);
+    EXPECT_LT(((*global)[i].pixel - frame[i].pixel).norm(), 1e-3f);
+  }
+}
+
+TEST(FrameFeaturesTest, RectifiedFeaturesAreFoundWhereTheyAreNow) {
+  const CameraModel camera(SmallIntrinsics());
+  const FrameFeatures frame(SquaresImage(1), camera, SmallExtractor());
+  const auto rectified = frame.Rectified({{0.0, 0.0, 0.0}, {0.0, 2.0, 0.0}}, 0.04, camera);
+  for (const Feature& feature : rectified->features()) {
+    EXPECT_EQ(Near(*rectified, feature.pixel, 10.0f, 0, 7),
+              NearByLookingAtAll(*rectified, feature.pixel, 10.0f, 0, 7));
+  }
+}
+
 }  // namespace
 }  // namespace semantic_slam

@@ -38,7 +38,8 @@ class LocalMapperTest : public testing::Test {
     mapper_ = std::make_unique<LocalMapper>(LocalMapperOptions(), SmallCamera(), *map_);
     TrackerOptions options;
     options.max_keyframe_gap = 1;
-    Tracker tracker(options, SmallCamera(), *map_);
+    const PlaceIndex index{PlaceIndexOptions()};
+    Tracker tracker(options, ReadoutOptions(), SmallCamera(), *map_, index);
     tracker.SetStart(TruePose(0));
     for (int i = 0; i < kKeyframes; ++i) {
       const auto result = tracker.Track(RoomFrame(i), true);

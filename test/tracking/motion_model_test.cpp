@@ -62,5 +62,21 @@ TEST(MotionModelTest, ResetForgets) {
   EXPECT_TRUE(model.Predict(After(0.1), After(0.2)).isApprox(Rigid3d::Identity()));
 }
 
+TEST(MotionModelTest, TheTwistIsThatOfThePrediction) {
+  MotionModel model;
+  EXPECT_TRUE(model.Twist(kStart, After(0.1)).velocity_mps.isZero());
+  model.Update(kStart, After(0.1), Motion());
+  const CameraTwist twist = model.Twist(After(0.1), After(0.3));
+  EXPECT_TRUE(twist.angular_velocity_radps.isApprox(Eigen::Vector3d(0.0, 2.0, 0.0), 1e-9));
+  // In the axes that the camera has in the end: turned by 0.4 rad against where it set out for.
+  EXPECT_TRUE(twist.velocity_mps.isApprox(
+      ExpSo3(Eigen::Vector3d(0.0, -0.4, 0.0)) * Eigen::Vector3d(0.0, 0.0, 1.0), 1e-9));
+}
+
+TEST(MeanTwistTest, WithoutTimeThereIsNone) {
+  EXPECT_TRUE(MeanTwist(Motion(), 0.0).velocity_mps.isZero());
+  EXPECT_TRUE(MeanTwist(Motion(), -1.0).angular_velocity_radps.isZero());
+}
+
 }  // namespace
 }  // namespace semantic_slam

@@ -71,7 +71,7 @@ class TrackerTest : public testing::Test {
 
   void Use(const TrackerOptions& options) {
     map_ = std::make_unique<Map>(SmallExtractor().scales());
-    tracker_ = std::make_unique<Tracker>(options, SmallCamera(), *map_);
+    tracker_ = std::make_unique<Tracker>(options, ReadoutOptions(), SmallCamera(), *map_, index_);
     tracker_->SetStart(TruePose(0));  // so that the map's frame is the room's
   }
 
@@ -92,6 +92,7 @@ class TrackerTest : public testing::Test {
     EXPECT_LT(AngleBetween(T, T_expected), 0.5 * M_PI / 180.0) << where;
   }
 
+  const PlaceIndex index_{PlaceIndexOptions()};  // knows nothing: keyframes are tried by turns
   std::unique_ptr<Map> map_;
   std::unique_ptr<Tracker> tracker_;
 };
@@ -260,7 +261,7 @@ TEST_F(TrackerTest, TheSameImagesGiveTheSameBytes) {
 TEST_F(TrackerTest, RefusesOptionsOutOfRange) {
   TrackerOptions options;
   options.min_inliers = 5;
-  EXPECT_EQ(MessageOf<ConfigError>([&] { Tracker(options, SmallCamera(), *map_); }),
+  EXPECT_EQ(MessageOf<ConfigError>([&] { Tracker(options, ReadoutOptions(), SmallCamera(), *map_, index_); }),
             "min_inliers = 5, but must be in [6, 1000]");
 }
 

@@ -16,6 +16,7 @@ CameraIntrinsics ReadIntrinsics(YamlReader group) {
   c.cx_px = group.Require<double>("cx_px");
   c.cy_px = group.Require<double>("cy_px");
   group.Read("distortion", c.distortion);
+  group.Read("readout_s", c.readout_s);
   group.Finish();
   return c;
 }

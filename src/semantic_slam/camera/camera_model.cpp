@@ -27,7 +27,7 @@ bool IsUndistorted(const CameraIntrinsics& c) {
 bool operator==(const CameraIntrinsics& a, const CameraIntrinsics& b) {
   return a.width_px == b.width_px && a.height_px == b.height_px && a.fx_px == b.fx_px &&
          a.fy_px == b.fy_px && a.cx_px == b.cx_px && a.cy_px == b.cy_px &&
-         a.distortion == b.distortion;
+         a.distortion == b.distortion && a.readout_s == b.readout_s;
 }
 
 void CheckIntrinsics(const CameraIntrinsics& c) {
@@ -38,6 +38,7 @@ void CheckIntrinsics(const CameraIntrinsics& c) {
   // The principal point of a cropped image may lie outside, but not far.
   CheckInRange("camera cx_px", c.cx_px, -1.0 * c.width_px, 2.0 * c.width_px);
   CheckInRange("camera cy_px", c.cy_px, -1.0 * c.height_px, 2.0 * c.height_px);
+  CheckInRange("camera readout_s", c.readout_s, -0.1, 0.1);
   const std::size_t n = c.distortion.size();
   if (n != 0 && n != 4 && n != 5 && n != 8) {
     throw ConfigError("camera distortion has " + std::to_string(n) +

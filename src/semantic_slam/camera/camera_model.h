@@ -17,6 +17,9 @@ struct CameraIntrinsics {
   double cy_px = 0.0;
   // k1 k2 p1 p2 [k3 [k4 k5 k6]] in OpenCV's order; empty means no distortion.
   std::vector<double> distortion;
+  // From the exposure of the first row to that of the last [s]: a rolling shutter. 0: all at once.
+  // Negative: from bottom to top, or a recording that is played backwards.
+  double readout_s = 0.0;
 };
 
 bool operator==(const CameraIntrinsics& a, const CameraIntrinsics& b);
@@ -67,6 +70,9 @@ class CameraModel {
   // Undistorted pixel of a raw one, between pixel centres too (bilinear in the ray table). Raw
   // coordinates are clamped to the image.
   Eigen::Vector2f Undistort(const Eigen::Vector2f& raw) const;
+
+  // Where a raw row lies in the image: -0.5 the first .. 0.5 the last.
+  double RowFraction(double raw_v) const { return raw_v / (intrinsics_.height_px - 1) - 0.5; }
 
   // The smallest box, in undistorted pixels, that holds the whole undistorted image.
   const cv::Rect2f& undistorted_bounds() const { return undistorted_bounds_; }

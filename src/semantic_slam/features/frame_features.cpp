@@ -43,11 +43,29 @@ FrameFeatures::FrameFeatures(const RgbdImage& image, const CameraModel& camera,
   descriptors_ = std::move(extracted.descriptors);
   features_.reserve(extracted.keypoints.size());
   for (const Keypoint& keypoint : extracted.keypoints) {
-    features_.push_back({keypoint.pixel, camera.Undistort(keypoint.pixel),
+    const Eigen::Vector2f pixel = camera.Undistort(keypoint.pixel);
+    features_.push_back({keypoint.pixel, pixel, pixel,
                          DepthAt(image.depth_m, keypoint.pixel), keypoint.angle_rad,
                          keypoint.octave, ColourAt(image, keypoint.pixel)});
   }
   BuildGrid(camera);
+}
+
+std::shared_ptr<const FrameFeatures> FrameFeatures::Rectified(const CameraTwist& twist,
+                                                              double readout_s,
+                                                              const CameraModel& camera) const {
+  auto rectified = std::make_shared<FrameFeatures>(*this);
+  for (Feature& feature : rectified->features_) {
+    const double row_time_s = camera.RowFraction(feature.raw.y()) * readout_s;
+    const Rigid3d T_middle_row = twist.T_now_then(row_time_s);
+    const Eigen::Vector3d ray = camera.Unproject(feature.exposed.x(), feature.exposed.y(), 1.0);
+    const Eigen::Vector3d p_middle = feature.has_depth()
+                                         ? T_middle_row * (feature.depth_m * ray)
+                                         : Eigen::Vector3d(T_middle_row.linear() * ray);
+    if (p_middle.z() > 0.0) feature.pixel = camera.Project(p_middle).cast<float>();
+  }
+  rectified->BuildGrid(camera);
+  return rectified;
 }
 
 void FrameFeatures::BuildGrid(const CameraModel& camera) {

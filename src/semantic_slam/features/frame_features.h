@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/camera/camera_twist.h"
 #include "semantic_slam/camera/rgbd_image.h"
 #include "semantic_slam/features/orb_extractor.h"
 
@@ -14,7 +16,8 @@ namespace semantic_slam {
 
 struct Feature {
   Eigen::Vector2f raw;    // pixel as the sensor saw it
-  Eigen::Vector2f pixel;  // undistorted
+  Eigen::Vector2f exposed;  // undistorted
+  Eigen::Vector2f pixel;  // undistorted, and where it were without a rolling shutter: see Rectified()
   float depth_m;          // along the optical axis; NaN if there is none
   float angle_rad;
   int octave;
@@ -29,6 +32,11 @@ class FrameFeatures {
  public:
   // Throws InputError if the image is malformed or not of the camera's size.
   FrameFeatures(const RgbdImage& image, const CameraModel& camera, const OrbExtractor& extractor);
+
+  // The same features as all rows would have shown them in the middle of the exposure, of a camera that
+  // moves like this. Of features without depth only the turn is taken out.
+  std::shared_ptr<const FrameFeatures> Rectified(const CameraTwist& twist, double readout_s,
+                                                 const CameraModel& camera) const;
 
   Stamp stamp() const { return stamp_; }
   std::size_t size() const { return features_.size(); }

@@ -14,6 +14,10 @@ namespace {
 
 // One keyframe in work and one waiting: with more the map would lag behind the camera.
 constexpr std::size_t kMaxPendingKeyframes = 2;
+// Mapping waits when loop closing lags behind by more.
+constexpr std::size_t kMaxKeyframesToClose = 64;
+
+struct Adjustment {};  // of the whole map is due
 
 }  // namespace
 
@@ -25,9 +29,15 @@ class VisualLocalization::Implementation {
         extractor_(options.features),
         map_(extractor_.scales()),
         mapper_(options.local_mapping, camera_, map_),
-        tracker_(options.tracking, camera_, map_) {
+        index_(options.place_recognition),
+        closer_(options.loop_closer, camera_, map_, index_, poses_mutex_),
+        tracker_(options.tracking, options.readout, camera_, map_, index_) {
     if (mode == MappingMode::kThreaded) {
-      worker_ = std::make_unique<Worker<KeyframeId>>(
+      adjusting_ = std::make_unique<Worker<Adjustment>>(1, WhenFull::kReject,
+                                                        [this](Adjustment) { AdjustAll(); });
+      closing_ = std::make_unique<Worker<KeyframeId>>(kMaxKeyframesToClose, WhenFull::kBlock,
+                                                      [this](KeyframeId id) { CloseLoop(id); });
+      mapping_ = std::make_unique<Worker<KeyframeId>>(
           kMaxPendingKeyframes, WhenFull::kBlock, [this](KeyframeId id) { MapKeyframe(id); });
     }
   }
@@ -74,7 +84,7 @@ class VisualLocalization::Implementation {
 
   void Finish() {
     std::unique_lock<std::mutex> lock(pending_mutex_);
-    idle_.wait(lock, [this] { return pending_ == 0; });
+    idle_.wait(lock, [this] { return unfinished_ == 0; });
   }
 
   std::uint64_t revision() const {
@@ -102,6 +112,7 @@ class VisualLocalization::Implementation {
     return views;
   }
 
+  std::size_t closed_loops() const { return closer_.loops(); }
   std::size_t rejected_keyframes() const { return rejected_keyframes_; }
   std::vector<StageTiming> timings() const { return timer_.Timings(); }
 
@@ -116,6 +127,7 @@ class VisualLocalization::Implementation {
     }
     tracker_.Reset(camera_);
     mapper_.Reset(camera_);
+    closer_.Reset(camera_);
     last_stamp_.reset();
   }
 
@@ -128,10 +140,11 @@ class VisualLocalization::Implementation {
     {
       std::lock_guard<std::mutex> lock(pending_mutex_);
       ++pending_;
+      ++unfinished_;
     }
     // Never blocks: MappingHasRoom() was asked before.
-    if (worker_ != nullptr) {
-      worker_->Push(id);
+    if (mapping_ != nullptr) {
+      mapping_->Push(id);
     } else {
       MapKeyframe(id);
     }
@@ -140,10 +153,46 @@ class VisualLocalization::Implementation {
   void MapKeyframe(KeyframeId id) {
     {
       StageTimer::Scope scope(timer_, "local_mapping");
+      std::lock_guard<std::mutex> lock(poses_mutex_);
       mapper_.Process(id, timer_);
     }
+    {
+      std::lock_guard<std::mutex> lock(pending_mutex_);
+      --pending_;
+    }
+    if (closing_ != nullptr) {
+      closing_->Push(id);
+    } else {
+      CloseLoop(id);
+    }
+  }
+
+  void CloseLoop(KeyframeId id) {
+    if (closer_.Process(id, timer_)) WantAdjustment();
+    FinishOne();
+  }
+
+  // One adjustment may wait while another runs; a third would only repeat what the second does.
+  void WantAdjustment() {
+    {
+      std::lock_guard<std::mutex> lock(pending_mutex_);
+      ++unfinished_;
+    }
+    if (adjusting_ == nullptr) {
+      AdjustAll();
+    } else if (!adjusting_->Push({})) {
+      FinishOne();
+    }
+  }
+
+  void AdjustAll() {
+    closer_.AdjustAll(timer_);
+    FinishOne();
+  }
+
+  void FinishOne() {
     std::lock_guard<std::mutex> lock(pending_mutex_);
-    --pending_;
+    --unfinished_;
     idle_.notify_all();
   }
 
@@ -157,7 +206,10 @@ class VisualLocalization::Implementation {
   const OrbExtractor extractor_;
   StageTimer timer_;
   Map map_;
+  std::mutex poses_mutex_;  // held by who changes poses of keyframes, for long; before the map's
   LocalMapper mapper_;
+  PlaceIndex index_;
+  LoopCloser closer_;
   std::atomic<std::size_t> rejected_keyframes_{0};
 
   std::mutex tracking_mutex_;        // taken before all others
@@ -166,13 +218,17 @@ class VisualLocalization::Implementation {
 
   mutable std::mutex pending_mutex_;
   std::condition_variable idle_;
-  std::size_t pending_ = 0;  // guarded by pending_mutex_; keyframes handed over and not finished
+  std::size_t pending_ = 0;     // guarded by pending_mutex_; keyframes that mapping has not finished
+  std::size_t unfinished_ = 0;  // guarded by pending_mutex_; these, and what follows of them
 
   mutable std::mutex view_mutex_;
   std::shared_ptr<const FrameFeatures> viewed_;  // guarded by view_mutex_
   std::vector<bool> is_inlier_;                  // guarded by view_mutex_
 
-  std::unique_ptr<Worker<KeyframeId>> worker_;  // last: joined before anything it uses goes
+  // Last, each after the one it feeds: joined before anything they use goes. Empty: done inline.
+  std::unique_ptr<Worker<Adjustment>> adjusting_;
+  std::unique_ptr<Worker<KeyframeId>> closing_;
+  std::unique_ptr<Worker<KeyframeId>> mapping_;
 };
 
 VisualLocalization::VisualLocalization(const LocalizationOptions& options,
@@ -202,6 +258,7 @@ std::vector<ColouredPoint> VisualLocalization::map_points() const {
 std::vector<FeatureView> VisualLocalization::features() const {
   return implementation_->features();
 }
+std::size_t VisualLocalization::closed_loops() const { return implementation_->closed_loops(); }
 std::size_t VisualLocalization::rejected_keyframes() const {
   return implementation_->rejected_keyframes();
 }

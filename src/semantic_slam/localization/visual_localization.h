@@ -12,7 +12,9 @@
 #include "semantic_slam/common/keyframe_graph.h"
 #include "semantic_slam/features/orb_extractor.h"
 #include "semantic_slam/local_mapping/local_mapper.h"
+#include "semantic_slam/loop_closing/loop_closer.h"
 #include "semantic_slam/map/map.h"
+#include "semantic_slam/place_recognition/place_index.h"
 #include "semantic_slam/tracking/tracker.h"
 
 namespace semantic_slam {
@@ -21,20 +23,26 @@ namespace semantic_slam {
 struct LocalizationOptions {
   OrbExtractorOptions features;
   TrackerOptions tracking;
+  ReadoutOptions readout;
   LocalMapperOptions local_mapping;
+  PlaceIndexOptions place_recognition;
+  LoopCloserOptions loop_closer;
 
   // Calls visit_group(name, group) for each.
   template <typename Self, typename Visitor>
   static void VisitGroups(Self& self, Visitor&& visit_group) {
     visit_group("features", self.features);
     visit_group("tracking", self.tracking);
+    visit_group("readout", self.readout);
     visit_group("local_mapping", self.local_mapping);
+    visit_group("place_recognition", self.place_recognition);
+    LoopCloserOptions::VisitGroups(self.loop_closer, visit_group);
   }
 };
 
 enum class MappingMode {
-  kInline,    // Track() returns after local mapping has finished: the same bytes on every run
-  kThreaded,  // local mapping runs beside tracking, on a thread of its own
+  kInline,    // Track() returns after mapping and loop closing have finished: the same bytes always
+  kThreaded,  // they run beside tracking, on threads of their own
 };
 
 // One feature of the image tracked last, for people to look at.
@@ -44,7 +52,7 @@ struct FeatureView {
   bool is_inlier;         // a map point that supports the pose; else just a corner
 };
 
-// Thesis section 3.2, Visual Localization: tracking and local mapping behind one door. Track() is
+// Thesis section 3.2, Visual Localization: tracking, local mapping and loop closing behind one door. Track() is
 // for one thread; everything else may be called from any thread at any time.
 class VisualLocalization {
  public:
@@ -68,7 +76,7 @@ class VisualLocalization {
   // The same, and from now on images are `camera`'s: the way to go after a change of calibration.
   void Reset(std::shared_ptr<const CameraModel> camera);
 
-  // Waits until local mapping has worked off what it was given.
+  // Waits until mapping and loop closing have worked off what they were given.
   void Finish();
 
   // Grows whenever the keyframe graph has changed; ask for the graph then.
@@ -80,6 +88,9 @@ class VisualLocalization {
 
   // Features of the image tracked last.
   std::vector<FeatureView> features() const;
+
+  // Loops closed so far, in all maps.
+  std::size_t closed_loops() const;
 
   // Keyframes that tracking wanted while local mapping was still busy.
   std::size_t rejected_keyframes() const;

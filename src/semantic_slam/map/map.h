@@ -127,6 +127,20 @@ class Map {
 
   const std::map<KeyframeId, std::unique_ptr<Keyframe>>& keyframes() const { return keyframes_; }
   std::size_t point_count() const { return point_count_; }
+
+  // Calls visit(point) for every point by ascending id; it must not add or erase any.
+  template <typename Visitor>
+  void ForEachPoint(Visitor&& visit) {
+    for (auto& point : points_) {
+      if (point != nullptr) visit(*point);
+    }
+  }
+  template <typename Visitor>
+  void ForEachPoint(Visitor&& visit) const {
+    for (const auto& point : points_) {
+      if (point != nullptr) visit(static_cast<const MapPoint&>(*point));
+    }
+  }
   std::vector<ColouredPoint> ColouredPoints() const;
   const std::vector<float>& scales() const { return scales_; }
 

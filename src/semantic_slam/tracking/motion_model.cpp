@@ -2,6 +2,13 @@
 
 namespace semantic_slam {
 
+CameraTwist MeanTwist(const Rigid3d& T_previous_last, double seconds) {
+  if (!(seconds > 0.0)) return {};
+  const Eigen::AngleAxisd rotation(T_previous_last.linear());
+  return {T_previous_last.linear().transpose() * T_previous_last.translation() / seconds,
+          rotation.angle() / seconds * rotation.axis()};
+}
+
 void MotionModel::Update(Stamp previous, Stamp last, const Rigid3d& T_previous_last) {
   interval_s_ = SecondsBetween(previous, last);
   T_previous_last_ = T_previous_last;
@@ -18,6 +25,10 @@ Rigid3d MotionModel::Predict(Stamp last, Stamp now) const {
       Eigen::AngleAxisd(rotation.angle() * stretch, rotation.axis()).toRotationMatrix();
   motion.translation() = T_previous_last_.translation() * stretch;
   return motion;
+}
+
+CameraTwist MotionModel::Twist(Stamp last, Stamp now) const {
+  return MeanTwist(Predict(last, now), SecondsBetween(last, now));
 }
 
 }  // namespace semantic_slam

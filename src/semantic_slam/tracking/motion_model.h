@@ -1,9 +1,14 @@
 #pragma once
 
+#include "semantic_slam/camera/camera_twist.h"
 #include "semantic_slam/common/stamp.h"
 #include "semantic_slam/common/transform.h"
 
 namespace semantic_slam {
+
+// The mean velocity on the way from one pose to the next, in the axes of the second; zero unless
+// 0 < seconds.
+CameraTwist MeanTwist(const Rigid3d& T_previous_last, double seconds);
 
 // Constant velocity, thesis eq. (3.4) without control input: the motion between the last two images,
 // stretched to the time that has passed since. Cameras drop images, so equal steps cannot be assumed.
@@ -15,6 +20,9 @@ class MotionModel {
   // Expected motion T_last_now from `last` to `now`: identity if nothing is known, or if so much
   // time has passed that the old velocity says nothing.
   Rigid3d Predict(Stamp last, Stamp now) const;
+
+  // The velocity that Predict() expects, in the camera's axes; zero where that is the identity.
+  CameraTwist Twist(Stamp last, Stamp now) const;
 
   void Reset() { has_velocity_ = false; }
 

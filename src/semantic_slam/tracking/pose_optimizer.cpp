@@ -8,9 +8,6 @@
 namespace semantic_slam {
 namespace {
 
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using RowVector6d = Eigen::Matrix<double, 1, 6>;
-
 constexpr int kRounds = 4;
 constexpr int kRobustRounds = 3;  // in the last one only inliers are left
 constexpr int kIterationsPerRound = 10;
@@ -18,14 +15,24 @@ constexpr double kMinDepthM = 0.05;
 // A step must not look better because it throws points behind the camera.
 constexpr double kCostBehindCamera = 1e4;
 
+struct State {
+  Rigid3d T_camera_map = Rigid3d::Identity();
+  Eigen::Vector3d turn_radps = Eigen::Vector3d::Zero();
+};
+
+// N unknowns: translation and rotation of the pose, and with 9 the angular velocity.
+template <int N>
 struct NormalEquations {
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d b = Vector6d::Zero();
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+
+  Matrix H = Matrix::Zero();
+  Vector b = Vector::Zero();
   double cost = 0.0;
 
   // One block of residuals `r` with Jacobian `J` under a Huber kernel that bends at chi2 = `bend`.
   template <int Rows>
-  void Add(const Eigen::Matrix<double, Rows, 1>& r, const Eigen::Matrix<double, Rows, 6>& J,
+  void Add(const Eigen::Matrix<double, Rows, 1>& r, const Eigen::Matrix<double, Rows, N>& J,
            double bend, bool robust) {
     const double chi2 = r.squaredNorm();
     double weight = 1.0;
@@ -43,43 +50,44 @@ struct NormalEquations {
 class PoseProblem {
  public:
   PoseProblem(const std::vector<PoseObservation>& observations, const CameraModel& camera,
-              const ObservationNoise& noise)
-      : observations_(observations), camera_(camera), noise_(noise),
+              const ObservationNoise& noise, const std::optional<RollingShutter>& shutter)
+      : observations_(observations), camera_(camera), noise_(noise), shutter_(shutter),
         uses_pixel_(observations.size(), true), uses_depth_(observations.size()) {
     for (std::size_t i = 0; i < observations.size(); ++i) {
       uses_depth_[i] = observations[i].depth_m > 0.0;
     }
   }
 
-  // Linearised at T_camera_map for a step d = (translation, rotation): T <- (I + d) T.
-  NormalEquations Linearise(const Rigid3d& T_camera_map, bool robust) const {
-    NormalEquations equations;
+  // Linearised for a step d = (translation, rotation[, turn]): T_camera_map <- (I + d) T_camera_map.
+  template <int N>
+  NormalEquations<N> Linearise(const State& state, bool robust) const {
+    NormalEquations<N> equations;
+    if constexpr (N == 9) AddTurnPrior(state, equations);
     for (std::size_t i = 0; i < observations_.size(); ++i) {
       if (!uses_pixel_[i] && !uses_depth_[i]) continue;
-      const Eigen::Vector3d p = T_camera_map * observations_[i].p_map;
+      const Eigen::Vector3d p = PointAt(i, state);
       if (p.z() < kMinDepthM) {
         equations.cost += kCostBehindCamera;
         continue;
       }
-      Eigen::Matrix<double, 3, 6> dp;
-      dp << Eigen::Matrix3d::Identity(), -Skew(p);
+      const Eigen::Matrix<double, 3, N> dp = PointJacobian<N>(i, p);
       if (uses_pixel_[i]) {
-        equations.Add<2>(PixelResidual(i, p), PixelJacobian(i, p) * dp, kChi2Pixel, robust);
+        equations.template Add<2>(PixelResidual(i, p), PixelJacobian(i, p) * dp, kChi2Pixel, robust);
       }
       if (uses_depth_[i]) {
-        const RowVector6d J =
+        const Eigen::Matrix<double, 1, N> J =
             -dp.row(2) / (p.z() * p.z() * noise_.InverseDepthSigma());
-        equations.Add<1>(DepthResidual(i, p), J, kChi2Depth, robust);
+        equations.template Add<1>(DepthResidual(i, p), J, kChi2Depth, robust);
       }
     }
     return equations;
   }
 
   // Sorts observations into those that fit the pose and those that do not.
-  int Classify(const Rigid3d& T_camera_map) {
+  int Classify(const State& state) {
     int inliers = 0;
     for (std::size_t i = 0; i < observations_.size(); ++i) {
-      const Eigen::Vector3d p = T_camera_map * observations_[i].p_map;
+      const Eigen::Vector3d p = PointAt(i, state);
       const bool in_front = p.z() >= kMinDepthM;
       uses_pixel_[i] = in_front && PixelResidual(i, p).squaredNorm() <= kChi2Pixel;
       uses_depth_[i] = uses_pixel_[i] && observations_[i].depth_m > 0.0 &&
@@ -91,7 +99,60 @@ class PoseProblem {
 
   const std::vector<bool>& inliers() const { return uses_pixel_; }
 
+  // By how much the pixels of the inliers ask for another readout time, whatever that does to the pose.
+  // The turn is what the motion so far tells: one fitted to this image would take up the answer.
+  ReadoutEvidence Readout(const State& state) const {
+    NormalEquations<7> equations;
+    for (std::size_t i = 0; i < observations_.size(); ++i) {
+      if (!uses_pixel_[i]) continue;
+      const State expected{state.T_camera_map, shutter_->twist.angular_velocity_radps};
+      const Eigen::Vector3d p = PointAt(i, expected);
+      if (p.z() < kMinDepthM) continue;
+      Eigen::Matrix<double, 3, 7> dp;
+      dp << PointJacobian<6>(i, p), observations_[i].row_fraction * PointRate(p, expected);
+      equations.Add<2>(PixelResidual(i, p), PixelJacobian(i, p) * dp, kChi2Pixel, false);
+    }
+    equations.H.diagonal().array() += 1e-9;
+    const auto& H = equations.H;
+    const Vector6d pose_share = H.topLeftCorner<6, 6>().ldlt().solve(H.topRightCorner<6, 1>());
+    return {H(6, 6) - pose_share.dot(H.topRightCorner<6, 1>()),
+            equations.b(6) - pose_share.dot(equations.b.head<6>())};
+  }
+
  private:
+  // How fast a point moves in the camera's frame.
+  Eigen::Vector3d PointRate(const Eigen::Vector3d& p, const State& state) const {
+    return -state.turn_radps.cross(p) - shutter_->twist.velocity_mps;
+  }
+
+  // The point in the camera's frame when its row was exposed.
+  Eigen::Vector3d PointAt(std::size_t i, const State& state) const {
+    const Eigen::Vector3d p = state.T_camera_map * observations_[i].p_map;
+    return shutter_ ? Eigen::Vector3d(p + RowTime(i) * PointRate(p, state)) : p;
+  }
+
+  double RowTime(std::size_t i) const {
+    return observations_[i].row_fraction * shutter_->readout_s;
+  }
+
+  template <int N>
+  Eigen::Matrix<double, 3, N> PointJacobian(std::size_t i, const Eigen::Vector3d& p) const {
+    Eigen::Matrix<double, 3, N> dp;
+    const Eigen::Matrix3d skew = Skew(p);
+    dp.template leftCols<3>().setIdentity();
+    dp.template middleCols<3>(3) = -skew;
+    if constexpr (N == 9) dp.template rightCols<3>() = RowTime(i) * skew;
+    return dp;
+  }
+
+  void AddTurnPrior(const State& state, NormalEquations<9>& equations) const {
+    const Eigen::Vector3d error =
+        (state.turn_radps - shutter_->twist.angular_velocity_radps) / shutter_->turn_sigma_radps;
+    Eigen::Matrix<double, 3, 9> J = Eigen::Matrix<double, 3, 9>::Zero();
+    J.rightCols<3>().diagonal().setConstant(1.0 / shutter_->turn_sigma_radps);
+    equations.Add<3>(error, J, 0.0, false);
+  }
+
   Eigen::Vector2d PixelResidual(std::size_t i, const Eigen::Vector3d& p) const {
     return (camera_.Project(p) - observations_[i].pixel) /
            noise_.PixelSigma(observations_[i].pyramid_scale);
@@ -114,31 +175,36 @@ class PoseProblem {
   const std::vector<PoseObservation>& observations_;
   const CameraModel& camera_;
   const ObservationNoise& noise_;
+  const std::optional<RollingShutter>& shutter_;
   std::vector<bool> uses_pixel_;
   std::vector<bool> uses_depth_;
 };
 
-Rigid3d Step(const Vector6d& d, const Rigid3d& T_camera_map) {
+template <int N>
+State Step(const Eigen::Matrix<double, N, 1>& d, const State& state) {
   Rigid3d step = Rigid3d::Identity();
-  step.linear() = ExpSo3(d.tail<3>());
-  step.translation() = d.head<3>();
-  return step * T_camera_map;
+  step.linear() = ExpSo3(d.template segment<3>(3));
+  step.translation() = d.template head<3>();
+  State next{step * state.T_camera_map, state.turn_radps};
+  if constexpr (N == 9) next.turn_radps += d.template tail<3>();
+  return next;
 }
 
-Rigid3d Minimise(const PoseProblem& problem, Rigid3d T_camera_map, bool robust) {
+template <int N>
+State Minimise(const PoseProblem& problem, State state, bool robust) {
   double lambda = 1e-4;
-  NormalEquations equations = problem.Linearise(T_camera_map, robust);
+  NormalEquations<N> equations = problem.Linearise<N>(state, robust);
   for (int iteration = 0; iteration < kIterationsPerRound; ++iteration) {
-    Matrix6d damped = equations.H;
+    Eigen::Matrix<double, N, N> damped = equations.H;
     damped.diagonal() *= 1.0 + lambda;
     damped.diagonal().array() += 1e-9;  // solvable even where nothing was observed
-    const Vector6d d = damped.ldlt().solve(equations.b);
+    const Eigen::Matrix<double, N, 1> d = damped.ldlt().solve(equations.b);
     if (!d.allFinite()) break;
-    const Rigid3d candidate = Step(d, T_camera_map);
-    NormalEquations next = problem.Linearise(candidate, robust);
+    const State candidate = Step<N>(d, state);
+    NormalEquations<N> next = problem.Linearise<N>(candidate, robust);
     if (next.cost <= equations.cost) {
       const double decrease = equations.cost - next.cost;
-      T_camera_map = candidate;
+      state = candidate;
       equations = next;
       lambda = std::max(lambda * 0.1, 1e-9);
       if (decrease < 1e-6 * equations.cost || d.norm() < 1e-8) break;
@@ -147,23 +213,33 @@ Rigid3d Minimise(const PoseProblem& problem, Rigid3d T_camera_map, bool robust) 
       if (lambda > 1e6) break;
     }
   }
-  return T_camera_map;
+  return state;
 }
 
 }  // namespace
 
 PoseEstimate OptimizePose(const std::vector<PoseObservation>& observations,
                           const Rigid3d& T_map_camera_start, const CameraModel& camera,
-                          const ObservationNoise& noise) {
-  PoseProblem problem(observations, camera, noise);
-  Rigid3d T_camera_map = T_map_camera_start.inverse();
+                          const ObservationNoise& noise,
+                          const std::optional<RollingShutter>& shutter) {
+  PoseProblem problem(observations, camera, noise, shutter);
+  State state{T_map_camera_start.inverse()};
   PoseEstimate estimate;
-  for (int round = 0; round < kRounds; ++round) {
-    T_camera_map = Minimise(problem, T_camera_map, round < kRobustRounds);
-    estimate.inliers = problem.Classify(T_camera_map);
+  if (shutter) {
+    estimate.twist = shutter->twist;
+    state.turn_radps = shutter->twist.angular_velocity_radps;
   }
-  estimate.T_map_camera = Orthonormalised(T_camera_map.inverse());
+  for (int round = 0; round < kRounds; ++round) {
+    const bool robust = round < kRobustRounds;
+    state = shutter ? Minimise<9>(problem, state, robust) : Minimise<6>(problem, state, robust);
+    estimate.inliers = problem.Classify(state);
+  }
+  estimate.T_map_camera = Orthonormalised(state.T_camera_map.inverse());
   estimate.is_inlier = problem.inliers();
+  if (shutter) {
+    estimate.twist.angular_velocity_radps = state.turn_radps;
+    estimate.readout = problem.Readout(state);
+  }
   return estimate;
 }
 

@@ -16,6 +16,8 @@ constexpr int kMinInliersFromLast = 20;
 constexpr double kMinInlierShareFromLast = 0.25;
 // After the camera was lost a pose is believed only with more support, for this many images.
 constexpr int kCautiousImages = 30;
+// Over a longer time the mean velocity says nothing of the present one.
+constexpr double kMaxTwistIntervalS = 0.2;
 // Local map: search radius on level 0 for a view nearly from the front, and else.
 constexpr float kFrontalRadiusPx = 5.0f;
 constexpr float kObliqueRadiusPx = 8.0f;
@@ -38,18 +40,24 @@ std::vector<bool> Taken(const std::vector<PointId>& points) {
 }
 
 PoseObservation Observe(const Eigen::Vector3d& p_map, const Feature& feature,
-                        const std::vector<float>& scales) {
-  return {p_map, feature.pixel.cast<double>(), feature.depth_m, scales[feature.octave]};
+                        const std::vector<float>& scales, const CameraModel& camera) {
+  return {p_map, feature.exposed.cast<double>(), feature.depth_m, scales[feature.octave],
+          camera.RowFraction(feature.raw.y())};
 }
 
 }  // namespace
 
-Tracker::Tracker(const TrackerOptions& options, std::shared_ptr<const CameraModel> camera, Map& map)
-    : options_(options), noise_{options.depth_sigma_at_1m_m}, camera_(std::move(camera)), map_(map) {
-  Validate(options_);
-}
+Tracker::Tracker(const TrackerOptions& options, const ReadoutOptions& readout_options,
+                 std::shared_ptr<const CameraModel> camera, Map& map, const PlaceIndex& index)
+    : options_(Validated(options)),
+      noise_{options.depth_sigma_at_1m_m},
+      camera_(std::move(camera)),
+      map_(map),
+      index_(index),
+      readout_(readout_options, camera_->intrinsics().readout_s) {}
 
 void Tracker::Reset(std::shared_ptr<const CameraModel> camera) {
+  if (!(camera->intrinsics() == camera_->intrinsics())) readout_.Reset(camera->intrinsics().readout_s);
   camera_ = std::move(camera);
   status_ = TrackingStatus::kInitializing;
   last_ = Frame();
@@ -90,6 +98,28 @@ TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool
   return result;
 }
 
+// What the rows of the frame tell apart; nothing if the shutter is known not to roll.
+std::optional<RollingShutter> Tracker::Shutter(const Frame& frame) const {
+  if (!readout_.is_rolling()) return std::nullopt;
+  return RollingShutter{readout_.readout_s(), frame.twist, readout_.turn_sigma_radps()};
+}
+
+// From here on the frame's features are where they would be without a rolling shutter.
+void Tracker::Rectify(Frame& frame, const CameraTwist& twist) const {
+  if (!readout_.is_rolling()) return;
+  frame.twist = twist;
+  frame.features = frame.features->Rectified(twist, readout_.readout_s(), *camera_);
+}
+
+// The frame's motion, now that its pose is about known.
+void Tracker::MeasureTwist(Frame& frame) const {
+  const double since_last_s =
+      last_.features ? SecondsBetween(last_.features->stamp(), frame.features->stamp()) : 0.0;
+  const bool is_known = status_ == TrackingStatus::kTracking && since_last_s < kMaxTwistIntervalS;
+  frame.twist = is_known ? MeanTwist(last_.T_map_camera.inverse() * frame.T_map_camera, since_last_s)
+                         : CameraTwist();
+}
+
 bool Tracker::Initialise(Frame& frame) {
   int with_depth = 0;
   for (const Feature& feature : frame.features->features()) with_depth += feature.has_depth();
@@ -124,6 +154,7 @@ bool Tracker::TrackFromLast(Frame& frame) const {
   const Rigid3d T_map_predicted =
       last_.T_map_camera * motion_.Predict(last_.features->stamp(), frame.features->stamp());
   frame.reference = last_.reference;
+  Rectify(frame, motion_.Twist(last_.features->stamp(), frame.features->stamp()));
   if (MatchNear(view, T_map_predicted, options_.search_radius_px, frame) ||
       MatchNear(view, T_map_predicted, 2.0 * options_.search_radius_px, frame)) {
     return true;
@@ -162,14 +193,16 @@ bool Tracker::MatchNear(const KnownView& view, const Rigid3d& T_map_predicted, d
   for (std::size_t i = 0; i < matches.size(); ++i) {
     if (matches[i] < 0) continue;
     observations.push_back(
-        Observe(points[i]->position, (*frame.features)[matches[i]], map_.scales()));
+        Observe(points[i]->position, (*frame.features)[matches[i]], map_.scales(), *camera_));
     matched.emplace_back(matches[i], points[i]->id);
   }
-  const PoseEstimate estimate = OptimizePose(observations, T_map_predicted, *camera_, noise_);
+  const PoseEstimate estimate =
+      OptimizePose(observations, T_map_predicted, *camera_, noise_, Shutter(frame));
   if (estimate.inliers < kMinInliersFromLast ||
       estimate.inliers < kMinInlierShareFromLast * static_cast<double>(matched.size())) {
     return false;
   }
+  Rectify(frame, estimate.twist);
   frame.T_map_camera = estimate.T_map_camera;
   std::fill(frame.points.begin(), frame.points.end(), kNoPoint);
   for (std::size_t i = 0; i < matched.size(); ++i) {
@@ -178,23 +211,30 @@ bool Tracker::MatchNear(const KnownView& view, const Rigid3d& T_map_predicted, d
   return true;
 }
 
-// Half of the candidates are the latest keyframes, the others take turns, so that every keyframe of
-// a large map is tried once in a while.
-std::vector<KeyframeId> Tracker::RelocalizationCandidates() {
-  std::vector<KeyframeId> all;
-  for (const auto& entry : map_.keyframes()) all.push_back(entry.first);
-  std::reverse(all.begin(), all.end());
+// Half of the candidates are keyframes that look like the image, best first; the others take turns, so
+// that every keyframe of a large map is tried once in a while.
+std::vector<KeyframeId> Tracker::RelocalizationCandidates(const FrameFeatures& features) {
   const std::size_t limit = options_.relocalization_keyframes;
-  if (all.size() <= limit) return all;
-  const std::size_t latest = (limit + 1) / 2;
-  std::vector<KeyframeId> candidates(all.begin(), all.begin() + latest);
-  const std::size_t older = all.size() - latest;
-  while (candidates.size() < limit) candidates.push_back(all[latest + next_old_keyframe_++ % older]);
+  std::vector<KeyframeId> candidates;
+  for (const PlaceScore& place : index_.Query(features)) {
+    if (candidates.size() >= (limit + 1) / 2) break;
+    if (map_.FindKeyframe(place.keyframe) != nullptr) candidates.push_back(place.keyframe);
+  }
+  std::vector<KeyframeId> others;
+  for (const auto& entry : map_.keyframes()) {
+    const auto end = candidates.end();
+    if (std::find(candidates.begin(), end, entry.first) == end) others.push_back(entry.first);
+  }
+  std::reverse(others.begin(), others.end());  // the latest first
+  const std::size_t turns = std::min(limit - candidates.size(), others.size());
+  for (std::size_t i = 0; i < turns; ++i) {
+    candidates.push_back(others[next_old_keyframe_++ % others.size()]);
+  }
   return candidates;
 }
 
 bool Tracker::Relocalise(Frame& frame) {
-  for (const KeyframeId candidate : RelocalizationCandidates()) {
+  for (const KeyframeId candidate : RelocalizationCandidates(*frame.features)) {
     auto found = Relocalize(*frame.features, ViewOf(*map_.FindKeyframe(candidate), map_),
                             map_.scales(), *camera_, noise_, options_.min_inliers);
     if (!found) continue;
@@ -291,10 +331,14 @@ void Tracker::OptimiseFrame(Frame& frame) {
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     if (frame.points[i] == kNoPoint) continue;
     observations.push_back(
-        Observe(map_.FindPoint(frame.points[i])->position, (*frame.features)[i], map_.scales()));
+        Observe(map_.FindPoint(frame.points[i])->position, (*frame.features)[i], map_.scales(), *camera_));
     features.push_back(i);
   }
-  const PoseEstimate estimate = OptimizePose(observations, frame.T_map_camera, *camera_, noise_);
+  MeasureTwist(frame);
+  const PoseEstimate estimate =
+      OptimizePose(observations, frame.T_map_camera, *camera_, noise_, Shutter(frame));
+  Rectify(frame, estimate.twist);
+  readout_.Add(estimate.readout);
   frame.T_map_camera = estimate.T_map_camera;
   frame.inliers = estimate.inliers;
   std::fill(frame.is_inlier.begin(), frame.is_inlier.end(), false);

@@ -10,7 +10,10 @@
 #include "semantic_slam/features/frame_features.h"
 #include "semantic_slam/map/map.h"
 #include "semantic_slam/map/observation_noise.h"
+#include "semantic_slam/place_recognition/place_index.h"
 #include "semantic_slam/tracking/motion_model.h"
+#include "semantic_slam/tracking/pose_optimizer.h"
+#include "semantic_slam/tracking/readout_estimator.h"
 #include "semantic_slam/tracking/relocalizer.h"
 
 namespace semantic_slam {
@@ -21,7 +24,7 @@ struct TrackerOptions {
   int min_initial_points = 100;    // features with depth that a new map needs
   int min_inliers = 15;            // fewer, and the camera counts as lost
   int min_relocalization_inliers = 30;
-  int relocalization_keyframes = 20;  // tried per lost image: half the latest, half by turns the rest
+  int relocalization_keyframes = 20;  // tried per lost image: half that look like it, half by turns
   double search_radius_px = 15.0;     // about the predicted pixel; doubled at the second try
   int max_local_keyframes = 60;       // whose points are looked for in each image
   int max_keyframe_gap = 30;          // images after which a keyframe is wanted anyhow
@@ -59,11 +62,16 @@ struct TrackerResult {
 // images become keyframes. Holds the map's mutex while it works on the map. For one thread.
 //
 // An image is matched to the one before by a constant-velocity prediction, then to all points of the
-// keyframes around; a camera that is lost is found again by single keyframes.
+// keyframes around; a camera that is lost is found again by keyframes that look alike.
 class Tracker {
  public:
-  // Throws ConfigError if an option is out of range.
-  Tracker(const TrackerOptions& options, std::shared_ptr<const CameraModel> camera, Map& map);
+  // Throws ConfigError if an option is out of range. `index` tells which keyframes look like an image;
+  // it and `map` must outlive the tracker.
+  Tracker(const TrackerOptions& options, const ReadoutOptions& readout_options,
+          std::shared_ptr<const CameraModel> camera, Map& map, const PlaceIndex& index);
+
+  // From the exposure of an image's first row to that of its last [s], as far as it is known.
+  double readout_s() const { return readout_.readout_s(); }
 
   // The pose of the image that starts a map.
   void SetStart(const Rigid3d& T_map_camera) { T_map_start_ = T_map_camera; }
@@ -82,18 +90,22 @@ class Tracker {
     std::vector<PointId> points;  // per feature; kNoPoint where none is matched
     std::vector<bool> is_inlier;  // per feature: its point supports the pose
     Rigid3d T_map_camera = Rigid3d::Identity();
+    CameraTwist twist;
     KeyframeId reference = kNoKeyframe;
     Rigid3d T_reference_camera = Rigid3d::Identity();
     int inliers = 0;
   };
 
+  std::optional<RollingShutter> Shutter(const Frame& frame) const;
+  void Rectify(Frame& frame, const CameraTwist& twist) const;
+  void MeasureTwist(Frame& frame) const;
   bool Initialise(Frame& frame);
   KnownView LastView() const;
   bool TrackFromLast(Frame& frame) const;
   bool MatchNear(const KnownView& view, const Rigid3d& T_map_predicted, double radius_px,
                  Frame& frame) const;
   bool Relocalise(Frame& frame);
-  std::vector<KeyframeId> RelocalizationCandidates();
+  std::vector<KeyframeId> RelocalizationCandidates(const FrameFeatures& features);
   bool TrackLocalMap(Frame& frame, int min_inliers);
   std::vector<PointId> CollectLocalPoints(Frame& frame) const;
   void MatchLocalPoints(Frame& frame, const std::vector<PointId>& local_points);
@@ -106,11 +118,13 @@ class Tracker {
   const ObservationNoise noise_;
   std::shared_ptr<const CameraModel> camera_;
   Map& map_;
+  const PlaceIndex& index_;
 
   Rigid3d T_map_start_ = Rigid3d::Identity();
   TrackingStatus status_ = TrackingStatus::kInitializing;
   Frame last_;
   MotionModel motion_;
+  ReadoutEstimator readout_;
   Rigid3d T_odom_camera_ = Rigid3d::Identity();
   int images_since_keyframe_ = 0;
   int most_inliers_since_keyframe_ = 0;
