@@ -29,18 +29,20 @@ void Draw(const FigurePanel& panel, const cv::Point& corner, cv::Mat& figure) {
   assert(panel.picture.type() == CV_8UC3 && !panel.picture.empty());
   cv::putText(figure, panel.title, corner + cv::Point(4, kTitlePx - 11), cv::FONT_HERSHEY_SIMPLEX,
               0.7, kInk, 1, cv::LINE_AA);
-  const cv::Rect place =
-      Centred(panel.picture.size(), {corner + cv::Point(0, kTitlePx), kPanel});
+  const cv::Rect place = Centred(panel.picture.size(), {corner + cv::Point(0, kTitlePx), kPanel});
   cv::resize(panel.picture, figure(place), place.size(), 0.0, 0.0, cv::INTER_AREA);
 }
 
 }  // namespace
 
-cv::Mat ComposeOverview(const std::array<FigurePanel, 4>& panels) {
+cv::Mat ComposeFigure(const std::vector<FigurePanel>& panels, int columns) {
+  const int count = static_cast<int>(panels.size());
+  const int rows = (count + columns - 1) / columns;
   const cv::Size cell(kPanel.width + kGapPx, kPanel.height + kTitlePx + kGapPx);
-  cv::Mat figure(2 * cell.height + kGapPx, 2 * cell.width + kGapPx, CV_8UC3, kPaper);
-  for (int i = 0; i < 4; ++i) {
-    Draw(panels[i], {kGapPx + (i % 2) * cell.width, kGapPx + (i / 2) * cell.height}, figure);
+  cv::Mat figure(rows * cell.height + kGapPx, columns * cell.width + kGapPx, CV_8UC3, kPaper);
+  for (int i = 0; i < count; ++i) {
+    Draw(panels[i], {kGapPx + (i % columns) * cell.width, kGapPx + (i / columns) * cell.height},
+         figure);
   }
   return figure;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <string>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -13,8 +13,9 @@ struct FigurePanel {
   cv::Mat picture;  // CV_8UC3, BGR; of any size, not empty
 };
 
-// Thesis Fig. 4.7: camera, segmentation, cloud and map in a two by two figure, each scaled as a whole
-// into a panel of 640 x 480 px below its title. BGR.
-cv::Mat ComposeOverview(const std::array<FigurePanel, 4>& panels);
+// The pictures row by row in a figure of so many columns, each scaled as a whole into a panel of
+// 640 x 480 px below its title. BGR. Thesis Fig. 4.7 is camera, segmentation, cloud and map in two
+// columns.
+cv::Mat ComposeFigure(const std::vector<FigurePanel>& panels, int columns);
 
 }  // namespace semantic_slam

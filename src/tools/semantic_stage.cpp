@@ -150,12 +150,13 @@ cv::Mat SemanticStage::Overview(const Example& example) const {
   const cv::Mat map = RenderVoxels(mapper_.tree(), colours, camera_->intrinsics(),
                                    SteppedBack(PoseOf(example.tracked)));
   const cv::Mat camera = ToBgr(example.image);
-  return ComposeOverview(
-      {FigurePanel{"camera", camera},
+  return ComposeFigure(
+      {{"camera", camera},
        {"segmentation",
         DrawSegmentation(camera, ColourOrder::kBgr, example.segmentation, *vocabulary_)},
        {"semantic cloud", DrawCloud(example)},
-       {"semantic map", map}});
+       {"semantic map", map}},
+      2);
 }
 
 // The cloud alone as small voxels.
