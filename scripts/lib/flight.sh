@@ -16,7 +16,7 @@ choose_labels() {
 choose_view() {
   local changes=()
   if [[ "$world" == office ]]; then
-    changes+=(-e 's/^      Distance: .*/      Distance: 23/' -e 's/Focal Point: .*/Focal Point: {X: 5, Y: 1.2, Z: -1}/'
+    changes+=(-e 's/^      Distance: .*/      Distance: 26/' -e 's/Focal Point: .*/Focal Point: {X: 5, Y: 1.2, Z: -1}/'
       -e 's/Yaw: .*/Yaw: 4.54/')
   fi
   if draws_on_processor; then changes+=(-e 's/Frame Rate: .*/Frame Rate: 1/'); fi
