@@ -37,6 +37,9 @@ def trained(spec):
             nn.init.normal_(module.bias, std=0.1)
     with torch.no_grad():
         network.train()(torch.randn(2, 3, spec.input.height, spec.input.width))
+    for name, value in network.named_buffers():
+        if name.endswith("running_var"):  # of means over whole images of noise hardly any: they would be blown up
+            value.clamp_(min=0.1)
     return network.eval()
 
 
