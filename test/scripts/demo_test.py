@@ -76,5 +76,11 @@ def test_plays_a_folder_to_the_end(demo, room, tmp_path):
     assert result.returncode == 0, result.stdout + result.stderr
     assert_left(tmp_path / "out", (*RESULTS, *PICTURES))
     summary = json.loads((tmp_path / "out/summary.json").read_text())
-    assert summary["tracked"] > 100  # of 120; a busy machine may drop some
+    assert summary["lost"] == 0
+    stamps = [float(line.split()[0]) for line in (tmp_path / "out/trajectory_live.txt").read_text().splitlines()
+              if not line.startswith("#")]
+    images = [float(line.split()[0]) for line in (room.folder / "rgb.txt").read_text().splitlines()
+              if not line.startswith("#")]
+    # A busy machine drops images (how many is a matter of its speed), but follows from the beginning to the end.
+    assert stamps[0] < images[0] + 1 and stamps[-1] > images[-1] - 1
     assert "images tracked" in result.stdout
