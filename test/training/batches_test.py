@@ -43,6 +43,12 @@ def test_processes_that_read_change_nothing():
         assert np.array_equal(here, there)
 
 
+def test_labels_may_be_coarser_than_images():
+    samples = SegmentationSamples(Scenes(1), InputFormat(64, 48), label_stride=2)
+    images, labels = samples.collate([samples[0, 0, 0]])
+    assert images.shape == (1, 3, 48, 64) and labels.shape == (1, 24, 32)
+
+
 def test_validation_looks_at_images_all_over_the_set():
     class Recording(Scenes):
         seen = []

@@ -77,10 +77,11 @@ def test_the_loss_on_a_few_images_falls(tmp_path, make_task, spec, steps, share)
     assert loss() < share * before
 
 
-def test_stopping_changes_nothing(tmp_path):
-    trainer(tmp_path / "whole", augmentation=Augmentation()).run()
+@pytest.mark.parametrize("precision", ["full", "mixed"])
+def test_stopping_changes_nothing(tmp_path, precision):
+    trainer(tmp_path / "whole", settings(precision=precision), Augmentation()).run()
     for step in range(4):
-        run = trainer(tmp_path / "parts", settings(minutes=ONE_STEP), Augmentation())
+        run = trainer(tmp_path / "parts", settings(precision=precision, minutes=ONE_STEP), Augmentation())
         assert run.state.step == step
         run.run()
     whole, parts = weights_of(tmp_path / "whole"), weights_of(tmp_path / "parts")
@@ -157,6 +158,7 @@ def test_the_rate_rises_and_falls():
     ({"learning_rate": -1.0}, "--learning-rate -1.0: expected a positive number"),
     ({"optimizer": "adam"}, "--optimizer adam: expected adamw or sgd"),
     ({"average_decay": 1.0}, "--average-decay 1.0"),
+    ({"precision": "half"}, "--precision half: expected full or mixed"),
 ])
 def test_wrong_settings_are_refused(changes, words):
     with pytest.raises(TrainingError, match=words):

@@ -6,7 +6,8 @@ import pytest
 
 from semantic_slam_training.classes import IGNORE
 from semantic_slam_training.data.augmentation import Augmentation, change_light
-from semantic_slam_training.data.view import letterbox, random_view, view_boxes, view_image, view_labels
+from semantic_slam_training.data.view import (
+    letterbox, random_view, shrink, view_boxes, view_image, view_labels)
 
 WILD = Augmentation(rotation_deg=0.0, least_scale=0.6, most_scale=1.6, shift=0.1)
 
@@ -52,6 +53,13 @@ def test_labels_follow_their_pixels(seed):
     sure = (labels != IGNORE) & ((shown < 30) | (shown > 225))  # not on an edge
     assert sure.mean() > 0.3  # the image may fill no more than 43 % of the input
     assert ((shown > 127) == (labels == 1))[sure].mean() > 0.99  # the nearest pixel may be the neighbour
+
+
+def test_labels_of_a_smaller_input_lie_in_the_middle_of_those_they_stand_for():
+    # Two halves that meet between pixels 31 and 32; at half the size between 15 and 16.
+    labels = (np.arange(64) >= 32).astype(np.uint8) * np.ones((48, 1), np.uint8)
+    shrunk = view_labels(labels, shrink(letterbox((64, 48), (64, 48)), 2), (32, 24))
+    assert np.array_equal(shrunk, (np.arange(32) >= 16) * np.ones((24, 1)))
 
 
 def test_what_is_around_the_image_is_ignored():

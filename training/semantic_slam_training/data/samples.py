@@ -7,7 +7,7 @@ import numpy as np
 import torch
 
 from semantic_slam_training.data.augmentation import change_light
-from semantic_slam_training.data.view import letterbox, random_view, view_boxes, view_image, view_labels
+from semantic_slam_training.data.view import letterbox, random_view, shrink, view_boxes, view_image, view_labels
 
 
 class Samples:
@@ -46,12 +46,20 @@ class Samples:
 
 
 class SegmentationSamples(Samples):
-    """Blobs, batch x 3 x height x width, and class indices, batch x height x width, int64."""
+    """Blobs, batch x 3 x height x width, and class indices, batch x h x w, int64.
+
+    There is a label at every `label_stride`th pixel each way.
+    """
+
+    def __init__(self, dataset, input_format, augmentation=None, seed=0, label_stride=1):
+        super().__init__(dataset, input_format, augmentation, seed)
+        self.label_stride = label_stride
 
     def make(self, random, item):
         image, labels = item
         shown, view = self.show(random, image)
-        return self.format.to_blob(shown), view_labels(labels, view, self.format.size)
+        size = self.format.width // self.label_stride, self.format.height // self.label_stride
+        return self.format.to_blob(shown), view_labels(labels, shrink(view, self.label_stride), size)
 
     def collate(self, items):
         blobs, labels = zip(*items)

@@ -38,6 +38,11 @@ def random_view(random, image_size, input_size, options):
     return compose(turned @ np.diag([mirror, 1.0]), image_size, input_size, offset)
 
 
+def shrink(view, stride):
+    """The same view in an input that is `stride` times smaller."""
+    return np.column_stack([view[:, :2] / stride, (view[:, 2] + 0.5) / stride - 0.5])
+
+
 def view_image(image, view, input_size, pad):
     """Bilinear; `pad` is the grey level around the image."""
     return cv2.warpAffine(image, view, input_size, flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT,

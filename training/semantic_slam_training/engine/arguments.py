@@ -49,7 +49,7 @@ def add_class_balance_argument(parser):
 
 def add_setting_arguments(parser, **defaults):
     """Options for all fields of Settings; `defaults` of those that differ or have none."""
-    kinds = {"optimizer": str, "device": str, "minutes": float, "threads": int}
+    kinds = {"optimizer": str, "device": str, "precision": str, "minutes": float, "threads": int}
     for field in dataclasses.fields(Settings):
         default = defaults.get(field.name, field.default)
         kind = kinds.get(field.name, type(default))
@@ -74,6 +74,7 @@ SETTING_HELP = {
     "workers": "processes that read images, for GPUs",
     "threads": "cores to compute on (default: all)",
     "device": "cpu or cuda (default: cuda if there is one)",
+    "precision": "full, or mixed: convolutions in bfloat16 (default: mixed where the hardware multiplies it)",
 }
 
 

@@ -27,12 +27,14 @@ class Settings:
     workers: int = 0  # processes that read images
     threads: int = None
     device: str = None  # cpu or cuda
+    precision: str = None  # full or mixed
 
     def __post_init__(self):
         for name in ("steps", "batch_size", "validate_every", "validation_images", "checkpoint_every"):
             self.check(name, getattr(self, name) >= 1, "1 or more")
         self.check("learning_rate", self.learning_rate > 0, "a positive number")
         self.check("optimizer", self.optimizer in ("adamw", "sgd"), "adamw or sgd")
+        self.check("precision", self.precision in (None, "full", "mixed"), "full or mixed")
         self.check("minutes", self.minutes is None or self.minutes > 0, "a positive number")
         self.check("average_decay", 0 <= self.average_decay < 1, "0 or more and below 1")
 

@@ -29,10 +29,18 @@ def choose_device(name):
     return torch.device(name)
 
 
-def lower_precision(device):
-    """bfloat16 where the GPU has it; elsewhere nothing changes."""
-    if device.type == "cuda" and torch.cuda.is_bf16_supported():
-        return torch.autocast("cuda", torch.bfloat16)
+def multiplies_bfloat16(device):
+    """Whether the GPU, or the processor by its AMX units, does so fast."""
+    if device.type == "cuda":
+        return torch.cuda.is_bf16_supported()
+    cpu_info = pathlib.Path("/proc/cpuinfo")
+    return cpu_info.exists() and "amx_bf16" in cpu_info.read_text()
+
+
+def arithmetic(device, precision):
+    """Context in which the losses are computed; `precision` is that of the settings."""
+    if precision == "mixed" or (precision is None and multiplies_bfloat16(device)):
+        return torch.autocast(device.type, torch.bfloat16)
     return contextlib.nullcontext()
 
 
@@ -98,7 +106,7 @@ class Trainer:
         for group in state.optimizer.param_groups:
             group["lr"] = self.settings.rate_at(state.step, state.moments_since)
         state.network.train()
-        with lower_precision(self.device):
+        with arithmetic(self.device, self.settings.precision):
             parts = self.task.losses(state.network, to_device(batch, self.device))
         loss = sum(parts.values())
         if not math.isfinite(float(loss)):

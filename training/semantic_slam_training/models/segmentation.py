@@ -19,6 +19,7 @@ NETWORKS = {
     "fcn16s": fcn16s,
     "fcn8s": fcn8s,
 }
+FULL_SIZE = ("segnet", "unet", "frrn")  # those whose scores have the image's size
 SIZE_MULTIPLE_PX = 32  # of the image's sides, which suits all of them
 
 
