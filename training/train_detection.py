@@ -29,8 +29,8 @@ def parse_arguments():
     options.add_run_arguments(parser)
     parser.add_argument("--network", choices=[f"yolov8{size}" for size in SIZES], default="yolov8n",
                         help="(default: %(default)s)")
-    parser.add_argument("--size", default="320x256", help="of the network's input [px] (default: %(default)s)")
-    options.add_setting_arguments(parser, steps=20000, batch_size=8, learning_rate=1e-3)
+    parser.add_argument("--size", default="384x288", help="of the network's input [px] (default: %(default)s)")
+    options.add_setting_arguments(parser, steps=16000, batch_size=8, learning_rate=1e-3)
     return parser.parse_args()
 
 

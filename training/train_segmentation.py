@@ -25,10 +25,10 @@ def parse_arguments():
     options.add_data_arguments(parser, CLASSES)
     options.add_run_arguments(parser)
     parser.add_argument("--network", choices=NETWORKS, default="pspnet_resnet18", help="(default: %(default)s)")
-    parser.add_argument("--width", type=float, default=0.5, help="times the paper's channels (default: %(default)s)")
+    parser.add_argument("--width", type=float, default=0.375, help="times the paper's channels (default: %(default)s)")
     parser.add_argument("--size", default="320x240", help="of the network's input [px] (default: %(default)s)")
     options.add_class_balance_argument(parser)
-    options.add_setting_arguments(parser, steps=20000, batch_size=4, learning_rate=2e-3)
+    options.add_setting_arguments(parser, steps=16000, batch_size=8, learning_rate=2e-3)
     return parser.parse_args()
 
 
