@@ -29,6 +29,16 @@ void CheckLabels(const cv::Mat& plane, const LabelVocabulary& vocabulary) {
 
 }  // namespace
 
+Segmentation SureSegmentation(const cv::Mat& labels, Stamp stamp, std::uint64_t vocabulary_hash) {
+  Segmentation segmentation;
+  segmentation.stamp = stamp;
+  segmentation.vocabulary_hash = vocabulary_hash;
+  const cv::Mat none = cv::Mat::zeros(labels.size(), CV_8UC1);
+  segmentation.labels = {labels, none, none};
+  segmentation.confidences = {cv::Mat(labels.size(), CV_8UC1, cv::Scalar(255)), none, none};
+  return segmentation;
+}
+
 void CheckSegmentation(const Segmentation& segmentation, const LabelVocabulary& vocabulary) {
   CheckLabelSet("segmentation", segmentation.vocabulary_hash, vocabulary);
   if (segmentation.labels[0].empty()) throw InputError("segmentation: has no pixels");

@@ -29,6 +29,10 @@ inline std::uint8_t ToByte(float probability) {
   return static_cast<std::uint8_t>(255.0f * probability);
 }
 
+// What a network that is sure would give: `labels` (H x W, CV_8UC1, label ids), which are shared, with
+// confidence 1 and no second choice.
+Segmentation SureSegmentation(const cv::Mat& labels, Stamp stamp, std::uint64_t vocabulary_hash);
+
 // Throws InputError, naming what is wrong, if the planes are empty, differ in size or type, if the
 // hash is not the vocabulary's or a label id is not in it.
 void CheckSegmentation(const Segmentation& segmentation, const LabelVocabulary& vocabulary);
