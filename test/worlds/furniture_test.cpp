@@ -32,21 +32,51 @@ bool Touches(const Furniture& furniture, const Eigen::AlignedBox3f& box) {
   return false;
 }
 
+FurnitureRequest RequestOf(const FurnitureKind& kind, int design) {
+  FurnitureRequest request;
+  if (DesignCount(kind) > 1) request.numbers["design"] = design;
+  return request;
+}
+
+// Which design a request is for, for what a failed test says.
+std::string DesignIn(const FurnitureRequest& request) {
+  const auto design = request.numbers.find("design");
+  return "design " + std::to_string(design == request.numbers.end() ? 0 : design->second);
+}
+
 class EveryKind : public testing::TestWithParam<std::string> {
  protected:
   const FurnitureKind& kind() const { return FindFurnitureKind(GetParam()); }
 
-  // The usual size, and one stretched differently along each axis.
+  // Of every design: the usual size, and one stretched differently along each axis.
   std::vector<FurnitureRequest> Requests() const {
-    std::vector<FurnitureRequest> requests(3);
-    requests[1].seed = 77;
-    requests[2].size_m = kind().size_m.cwiseProduct(Eigen::Vector3f(1.15f, 1.3f, 1.1f));
+    std::vector<FurnitureRequest> requests;
+    for (int design = 0; design < DesignCount(kind()); ++design) {
+      FurnitureRequest request = RequestOf(kind(), design);
+      requests.push_back(request);
+      request.seed = 77;
+      requests.push_back(request);
+      request.seed = 1;
+      request.size_m = UsualSize(kind(), design).cwiseProduct(Eigen::Vector3f(1.15f, 1.3f, 1.1f));
+      requests.push_back(request);
+    }
     return requests;
+  }
+
+  // Of all that can be asked for.
+  std::vector<FurniturePart> AllParts() const {
+    std::vector<FurniturePart> all;
+    for (const FurnitureRequest& request : Requests()) {
+      const Furniture furniture = MakeFurniture(GetParam(), request);
+      all.insert(all.end(), furniture.parts.begin(), furniture.parts.end());
+    }
+    return all;
   }
 };
 
 TEST_P(EveryKind, IsClosedAndWoundOutwards) {
   for (const FurnitureRequest& request : Requests()) {
+    SCOPED_TRACE(DesignIn(request));
     const Furniture furniture = MakeFurniture(GetParam(), request);
     for (const FurniturePart& part : furniture.parts) EXPECT_EQ(FaultOf(part.mesh), "");
     const Mesh whole = WholeMesh(furniture);
@@ -57,8 +87,11 @@ TEST_P(EveryKind, IsClosedAndWoundOutwards) {
 
 TEST_P(EveryKind, IsAsLargeAsAsked) {
   for (const FurnitureRequest& request : Requests()) {
-    const Eigen::Vector3f size_m = request.size_m.value_or(kind().size_m);
-    const Eigen::AlignedBox3f bounds = BoundsOf(WholeMesh(MakeFurniture(GetParam(), request)));
+    SCOPED_TRACE(DesignIn(request));
+    const Furniture furniture = MakeFurniture(GetParam(), request);
+    const Eigen::Vector3f size_m = furniture.size_m;
+    EXPECT_EQ(size_m, request.size_m.value_or(size_m));
+    const Eigen::AlignedBox3f bounds = BoundsOf(WholeMesh(furniture));
     Eigen::Vector3f low_m(-0.5f * size_m.x(), -0.5f * size_m.y(), 0);
     if (kind().mount == Mount::kWall) low_m.x() = 0;
     // 1e-5 m: single precision.
@@ -75,25 +108,37 @@ TEST_P(EveryKind, HasALabelOfTheVocabulary) {
 
 TEST_P(EveryKind, TakesOtherMaterialsForEachPart) {
   for (const auto& [part, usual] : kind().materials) {
-    FurnitureRequest request;
-    for (const auto& [name, range] : kind().numbers) request.numbers[name] = range.high;
-    request.materials[part] = usual;
-    request.materials[part].rgb = {1, 2, 3};
-    bool found = false;
-    for (const FurniturePart& made : MakeFurniture(GetParam(), request).parts) {
-      found = found || made.material.rgb == std::array<std::uint8_t, 3>{1, 2, 3};
+    bool found = false;  // in one design at least
+    for (int design = 0; design < DesignCount(kind()); ++design) {
+      FurnitureRequest request;
+      for (const auto& [name, range] : kind().numbers) request.numbers[name] = range.high;
+      if (DesignCount(kind()) > 1) request.numbers["design"] = design;
+      request.materials[part] = usual;
+      request.materials[part].rgb = {1, 2, 3};
+      for (const FurniturePart& made : MakeFurniture(GetParam(), request).parts) {
+        found = found || made.material.rgb == std::array<std::uint8_t, 3>{1, 2, 3};
+      }
     }
     EXPECT_TRUE(found) << part;
   }
 }
 
 TEST_P(EveryKind, IsMadeOfWhatCanBePainted) {
-  for (const FurniturePart& part : MakeFurniture(GetParam()).parts) {
+  for (const FurniturePart& part : AllParts()) {
     const auto pattern = Patterns().find(part.material.pattern);
     ASSERT_NE(pattern, Patterns().end()) << part.material.pattern;
     const bool is_picture = !part.material.picture_size_m.isZero();
     const auto other = is_picture ? Pattern::Extent::kRepeats : Pattern::Extent::kPicture;
     EXPECT_NE(pattern->second.extent, other) << part.material.pattern;
+  }
+}
+
+TEST_P(EveryKind, HasDesignsThatDiffer) {
+  std::vector<std::vector<Eigen::Vector3f>> shapes;
+  for (int design = 0; design < DesignCount(kind()); ++design) {
+    const Mesh mesh = WholeMesh(MakeFurniture(GetParam(), RequestOf(kind(), design)));
+    for (const auto& other : shapes) EXPECT_NE(mesh.positions_m, other) << "design " << design;
+    shapes.push_back(mesh.positions_m);
   }
 }
 
@@ -158,6 +203,54 @@ TEST(FurnitureTest, ThereIsSpaceBelowSeatsAndBeds) {
                                      Eigen::Vector3f(half.x(), half.y(), high_m)}))
         << kind;
   }
+}
+
+// Share of the plan, in columns of a twelfth of each side, in which no surface is below `high_m`.
+double FreeShareBelow(const Furniture& furniture, float high_m) {
+  constexpr int kCells = 12;
+  constexpr float kStepM = 0.03f;  // between the places of a surface that are looked at
+  const Mesh whole = WholeMesh(furniture);
+  std::set<std::pair<int, int>> taken;
+  for (const Eigen::Vector3i& t : whole.triangles) {
+    const Eigen::Vector3f& a = whole.positions_m[t[0]];
+    const Eigen::Vector3f right = whole.positions_m[t[1]] - a;
+    const Eigen::Vector3f up = whole.positions_m[t[2]] - a;
+    const int steps = 1 + static_cast<int>((right.norm() + up.norm()) / kStepM);
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; i + j <= steps; ++j) {
+        const Eigen::Vector3f p = a + (i * right + j * up) / static_cast<float>(steps);
+        if (p.z() > high_m) continue;
+        taken.emplace(static_cast<int>((p.x() / furniture.size_m.x() + 0.5f) * 0.999f * kCells),
+                      static_cast<int>((p.y() / furniture.size_m.y() + 0.5f) * 0.999f * kCells));
+      }
+    }
+  }
+  return 1.0 - static_cast<double>(taken.size()) / (kCells * kCells);
+}
+
+TEST(FurnitureTest, ThereIsSpaceBelowEveryDesign) {
+  // Up to this share of the height legs and feet alone may be; they take less than half of the
+  // plan.
+  for (const auto& [name, height_share] : {std::pair("chair", 0.3f), {"table", 0.8f}}) {
+    const FurnitureKind& kind = FindFurnitureKind(name);
+    for (int design = 0; design < DesignCount(kind); ++design) {
+      const Furniture furniture = MakeFurniture(name, RequestOf(kind, design));
+      EXPECT_GT(FreeShareBelow(furniture, height_share * furniture.size_m.z()), 0.5)
+          << name << ", design " << design;
+    }
+  }
+}
+
+TEST(FurnitureTest, ADesignHasASizeOfItsOwn) {
+  FurnitureRequest request;
+  request.numbers["design"] = 3;
+  const FurnitureKind& chair = FindFurnitureKind("chair");
+  EXPECT_EQ(MakeFurniture("chair", request).size_m, UsualSize(chair, 3));
+  EXPECT_NE(UsualSize(chair, 3), chair.size_m);
+  EXPECT_EQ(UsualSize(chair, 0), chair.size_m);
+  request.numbers["design"] = DesignCount(chair);
+  ExpectOneLineWith(MessageOf<ConfigError>([&] { MakeFurniture("chair", request); }),
+                    {"chair's design = ", "but must be in [0, "});
 }
 
 TEST(FurnitureTest, ADoorOpensToItsFront) {

@@ -4,14 +4,11 @@
 
 #include "semantic_slam/worlds/furniture_file.h"
 #include "semantic_slam/worlds/located_error.h"
+#include "semantic_slam/worlds/opening_pieces.h"
 #include "semantic_slam/worlds/placement_file.h"
 
 namespace semantic_slam {
 namespace {
-
-constexpr double kCasingM = 0.05;       // how far a door's casing covers the wall around it
-constexpr double kCasingDepthM = 0.03;  // thickness of its boards on both sides together
-constexpr double kRebateM = 0.02;       // a window's frame lies that far inside the outer face
 
 // What stands in a hole of a wall.
 struct OpeningPlan {
@@ -66,19 +63,12 @@ const WallSite& SiteFacing(OpeningPlan& plan, const std::vector<WallSite>& sites
   plan.reader.Refuse("opens_to", "a room whose wall it is in");
 }
 
-// From the middle of the wall to the face that is away from the site's room.
-double HalfBehind(const Building& building, const std::vector<WallSite>& sites) {
-  if (sites.size() > 1) return 0.5 * building.wall_thickness_m();
-  return building.HalfThickness(*sites[0].room, sites[0].side) - 0.5 * building.wall_thickness_m();
-}
-
 void AddDoor(OpeningPlan& plan, const Building& building, const MaterialPalette& palette,
              WorldAssembly& assembly) {
   const std::vector<WallSite> sites = building.SitesOf(plan.hole);
-  const WallSite& site = SiteFacing(plan, sites);
-  const double front_m = 0.5 * building.wall_thickness_m();
-  const double behind_m = HalfBehind(building, sites);
+  const FittedPiece fitted = FitDoor(building, plan.hole, SiteFacing(plan, sites));
   FurnitureRequest request;
+  request.size_m = fitted.size_m;
   if (plan.kind == "passage") request.numbers["leaf"] = 0.0;
   std::string hinge = "left";
   plan.reader.Read("hinge", hinge);
@@ -87,27 +77,18 @@ void AddDoor(OpeningPlan& plan, const Building& building, const MaterialPalette&
   if (plan.reader.Has("open_deg")) {
     request.numbers["open_deg"] = plan.reader.Require<double>("open_deg");
   }
-  request.size_m =
-      Eigen::Vector3d(front_m + behind_m + kCasingDepthM, plan.hole.width_m + 2 * kCasingM,
-                      plan.hole.top_m - plan.hole.bottom_m + kCasingM)
-          .cast<float>();
-  const Rigid3d T = building.OpeningPose(plan.hole, site) *
-                    Eigen::Translation3d(0.5 * (front_m - behind_m), 0, 0);
-  AddPiece(plan.reader, "door", request, palette, {T, std::nullopt, ""}, assembly);
+  AddPiece(plan.reader, "door", request, palette, {fitted.T_world_object, std::nullopt, ""},
+           assembly);
 }
 
 void AddWindow(OpeningPlan& plan, const Building& building, const MaterialPalette& palette,
                WorldAssembly& assembly) {
   const std::vector<WallSite> sites = building.SitesOf(plan.hole);
+  const FittedPiece fitted = FitWindow(building, plan.hole, SiteFacing(plan, sites));
   FurnitureRequest request;
-  Eigen::Vector3f size_m = FindFurnitureKind("window").size_m;
-  size_m.y() = static_cast<float>(plan.hole.width_m);
-  size_m.z() = static_cast<float>(plan.hole.top_m - plan.hole.bottom_m);
-  request.size_m = size_m;
-  const double behind_m = HalfBehind(building, sites);
-  const Rigid3d T = building.OpeningPose(plan.hole, SiteFacing(plan, sites)) *
-                    Eigen::Translation3d(kRebateM + 0.5 * size_m.x() - behind_m, 0, 0);
-  AddPiece(plan.reader, "window", request, palette, {T, std::nullopt, ""}, assembly);
+  request.size_m = fitted.size_m;
+  AddPiece(plan.reader, "window", request, palette, {fitted.T_world_object, std::nullopt, ""},
+           assembly);
 }
 
 void AddOpening(OpeningPlan& plan, const Building& building, const MaterialPalette& palette,

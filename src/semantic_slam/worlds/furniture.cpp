@@ -1,6 +1,7 @@
 #include "semantic_slam/worlds/furniture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "semantic_slam/common/check.h"
@@ -10,6 +11,23 @@
 
 namespace semantic_slam {
 namespace {
+
+DesignTable AllDesigns() {
+  DesignTable all;
+  for (auto* family : {ChairDesigns, OfficeChairDesigns, ArmchairDesigns, SofaDesigns, TableDesigns,
+                       DeskDesigns, StorageDesigns}) {
+    DesignTable more = family();
+    all.merge(more);
+  }
+  return all;
+}
+
+void AddDesigns(FurnitureKind& kind, const DesignTable& designs) {
+  const auto others = designs.find(kind.name);
+  if (others == designs.end()) return;
+  kind.other_designs = others->second;
+  kind.numbers.emplace("design", NumberRange{0, 0, double(kind.other_designs.size())});
+}
 
 std::vector<FurnitureKind> AllKinds() {
   std::vector<FurnitureKind> kinds;
@@ -21,6 +39,8 @@ std::vector<FurnitureKind> AllKinds() {
   }
   std::sort(kinds.begin(), kinds.end(),
             [](const FurnitureKind& a, const FurnitureKind& b) { return a.name < b.name; });
+  const DesignTable designs = AllDesigns();
+  for (FurnitureKind& kind : kinds) AddDesigns(kind, designs);
   return kinds;
 }
 
@@ -41,13 +61,20 @@ void CheckKnown(const std::string& what, const std::map<std::string, Asked>& ask
   }
 }
 
-void CheckSize(const FurnitureKind& kind, const Eigen::Vector3f& size_m) {
+// Precondition: what is asked for is in range.
+int DesignOf(const FurnitureRequest& request) {
+  const auto asked = request.numbers.find("design");
+  return asked == request.numbers.end() ? 0 : static_cast<int>(std::lround(asked->second));
+}
+
+void CheckSize(const FurnitureKind& kind, const Eigen::Vector3f& usual_m,
+               const Eigen::Vector3f& size_m) {
   constexpr float kSmallest = 0.2f;  // times the usual
   constexpr float kLargest = 5.0f;
   const char* edges[] = {"depth", "width", "height"};
   for (int axis = 0; axis < 3; ++axis) {
-    CheckInRange<float>(kind.name + "'s " + edges[axis], size_m[axis],
-                        kSmallest * kind.size_m[axis], kLargest * kind.size_m[axis]);
+    CheckInRange<float>(kind.name + "'s " + edges[axis], size_m[axis], kSmallest * usual_m[axis],
+                        kLargest * usual_m[axis]);
   }
 }
 
@@ -58,7 +85,7 @@ void CheckRequest(const FurnitureKind& kind, const FurnitureRequest& request) {
     const NumberRange& range = kind.numbers.at(name);
     CheckInRange<double>(kind.name + "'s " + name, value, range.low, range.high);
   }
-  if (request.size_m) CheckSize(kind, *request.size_m);
+  if (request.size_m) CheckSize(kind, UsualSize(kind, DesignOf(request)), *request.size_m);
 }
 
 }  // namespace
@@ -66,6 +93,14 @@ void CheckRequest(const FurnitureKind& kind, const FurnitureRequest& request) {
 const std::vector<FurnitureKind>& FurnitureKinds() {
   static const std::vector<FurnitureKind> kinds = AllKinds();
   return kinds;
+}
+
+int DesignCount(const FurnitureKind& kind) {
+  return 1 + static_cast<int>(kind.other_designs.size());
+}
+
+const Eigen::Vector3f& UsualSize(const FurnitureKind& kind, int design) {
+  return design == 0 ? kind.size_m : kind.other_designs[design - 1].size_m;
 }
 
 const FurnitureKind& FindFurnitureKind(const std::string& name) {
@@ -80,8 +115,11 @@ const FurnitureKind& FindFurnitureKind(const std::string& name) {
 Furniture MakeFurniture(const std::string& kind_name, const FurnitureRequest& request) {
   const FurnitureKind& kind = FindFurnitureKind(kind_name);
   CheckRequest(kind, request);
-  FurnitureBuilder builder(kind, request);
-  kind.build(builder);
+  const int design = DesignOf(request);
+  FurnitureRequest sized = request;
+  if (!sized.size_m) sized.size_m = UsualSize(kind, design);
+  FurnitureBuilder builder(kind, sized);
+  (design == 0 ? kind.build : kind.other_designs[design - 1].build)(builder);
   return builder.Finish();
 }
 

@@ -24,16 +24,29 @@ struct NumberRange {
 
 class FurnitureBuilder;
 
+// Another shape of a kind, and its usual size: depth, width, height.
+struct FurnitureDesign {
+  void (*build)(FurnitureBuilder&) = nullptr;
+  Eigen::Vector3f size_m;
+};
+
 // A kind of furniture: what it is called, what can be chosen, and how it is built.
 struct FurnitureKind {
   std::string name;
   std::string label;  // of config/labels.yaml
   Mount mount = Mount::kFloor;
-  Eigen::Vector3f size_m;                      // the usual: depth (x), width (y), height (z)
-  std::map<std::string, Material> materials;   // the usual, by the part of it that they cover
-  std::map<std::string, NumberRange> numbers;  // other properties
-  void (*build)(FurnitureBuilder&) = nullptr;
+  Eigen::Vector3f size_m;                           // the usual: depth (x), width (y), height (z)
+  std::map<std::string, Material> materials;        // the usual, by the part of it that they cover
+  std::map<std::string, NumberRange> numbers;       // other properties
+  void (*build)(FurnitureBuilder&) = nullptr;       // design 0
+  std::vector<FurnitureDesign> other_designs = {};  // 1, 2...; chosen by the number "design"
 };
+
+// How many designs there are to choose from: 1 or more.
+int DesignCount(const FurnitureKind& kind);
+
+// The usual size of a design, 0 <= design < DesignCount(kind).
+const Eigen::Vector3f& UsualSize(const FurnitureKind& kind, int design);
 
 // All kinds by ascending name.
 const std::vector<FurnitureKind>& FurnitureKinds();
@@ -43,7 +56,7 @@ const FurnitureKind& FindFurnitureKind(const std::string& name);
 
 // What may be asked of a piece; what is not asked for is as usual for its kind.
 struct FurnitureRequest {
-  std::optional<Eigen::Vector3f> size_m;      // 0.2 to 5 times the usual
+  std::optional<Eigen::Vector3f> size_m;      // 0.2 to 5 times the usual of its design
   std::map<std::string, Material> materials;  // by part
   std::map<std::string, double> numbers;
   std::uint64_t seed = 1;  // other seeds give other pieces of the same kind

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "semantic_slam/worlds/furniture.h"
@@ -22,5 +24,16 @@ std::vector<FurnitureKind> ReadingKinds();
 std::vector<FurnitureKind> TablewareKinds();
 std::vector<FurnitureKind> HouseholdKinds();
 std::vector<FurnitureKind> PersonKinds();
+
+// Designs 1, 2... of kinds by the kind's name; they are made of the materials of design 0.
+using DesignTable = std::map<std::string, std::vector<FurnitureDesign>>;
+
+DesignTable ChairDesigns();
+DesignTable OfficeChairDesigns();
+DesignTable ArmchairDesigns();
+DesignTable SofaDesigns();
+DesignTable TableDesigns();
+DesignTable DeskDesigns();
+DesignTable StorageDesigns();
 
 }  // namespace semantic_slam

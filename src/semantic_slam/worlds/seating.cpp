@@ -5,39 +5,11 @@
 
 #include "semantic_slam/worlds/furniture_builder.h"
 #include "semantic_slam/worlds/furniture_families.h"
+#include "semantic_slam/worlds/furniture_parts.h"
 #include "semantic_slam/worlds/shapes.h"
 
 namespace semantic_slam {
 namespace {
-
-constexpr float kPi = 3.14159265f;
-
-// Turns about an upright axis.
-Rigid3d Turned(float angle_rad) {
-  return Rigid3d(Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitZ()));
-}
-
-// A padded part that lies between two corners.
-void AddPadding(FurnitureBuilder& b, const std::string& part, const Eigen::Vector3f& low_m,
-                const Eigen::Vector3f& high_m, float radius_m) {
-  const Eigen::Vector3f size_m = high_m - low_m;
-  b.Add(part, RoundedBoxMesh(0.5f * (low_m + high_m), size_m,
-                             std::min(radius_m, 0.49f * size_m.minCoeff())));
-}
-
-// Four legs of thickness `leg_m`, tapering towards the floor, inside a rectangle.
-void AddLegs(FurnitureBuilder& b, const std::string& part, float depth_m, float width_m,
-             float height_m, float leg_m) {
-  for (const float x : {-1.0f, 1.0f}) {
-    for (const float y : {-1.0f, 1.0f}) {
-      const Eigen::Vector3f head(x * 0.5f * (depth_m - leg_m), y * 0.5f * (width_m - leg_m),
-                                 height_m);
-      const Eigen::Vector3f foot(head.x(), head.y(), 0);
-      b.Add(part, BeamMesh(foot, head, Eigen::Vector2f::Constant(0.75f * leg_m),
-                           Eigen::Vector2f::Constant(leg_m)));
-    }
-  }
-}
 
 // The back of a chair: two posts that lean back, with slats or a padded panel between them.
 void AddChairBack(FurnitureBuilder& b, float seat_m, float post_m) {
@@ -77,21 +49,9 @@ void BuildChair(FurnitureBuilder& b) {
   AddChairBack(b, seat_m - board_m, kPostM);
 }
 
-// Five arms with castors, and the column in their middle up to `top_m`.
-void AddSwivelFoot(FurnitureBuilder& b, float radius_m, float top_m) {
-  for (int i = 0; i < 5; ++i) {
-    Mesh arm = BoxMesh({0.5f * radius_m, 0, 0.09f}, {radius_m - 0.04f, 0.05f, 0.03f});
-    b.Add("base", arm, Turned(2 * kPi * i / 5));
-    Mesh castor = EllipsoidMesh({radius_m - 0.03f, 0, 0.035f}, {0.03f, 0.025f, 0.035f}, 12);
-    Append(castor, CylinderMesh({radius_m - 0.03f, 0, 0.05f}, 0.012f, 0.012f, 0.045f, 8));
-    b.Add("base", castor, Turned(2 * kPi * i / 5));
-  }
-  b.Add("base", CylinderMesh({0, 0, 0.075f}, 0.035f, 0.028f, top_m - 0.075f, 12));
-}
-
 void BuildOfficeChair(FurnitureBuilder& b) {
   const float seat_m = 0.48f;  // of a chair 1 m high; stretched to the size at the end
-  AddSwivelFoot(b, 0.32f, seat_m - 0.05f);
+  AddCastorFoot(b, "base", 0.32f, seat_m - 0.05f);
   AddPadding(b, "seat", {-0.22f, -0.24f, seat_m - 0.05f}, {0.27f, 0.24f, seat_m + 0.04f}, 0.035f);
   Mesh back;
   Append(back, RoundedBoxMesh({0, 0, 0.25f}, {0.07f, 0.44f, 0.5f}, 0.03f));

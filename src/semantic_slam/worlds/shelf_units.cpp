@@ -3,46 +3,15 @@
 
 #include "semantic_slam/worlds/furniture_builder.h"
 #include "semantic_slam/worlds/furniture_families.h"
-#include "semantic_slam/worlds/shapes.h"
+#include "semantic_slam/worlds/shelf_filling.h"
 
 namespace semantic_slam {
 namespace {
 
 constexpr float kBoardM = 0.02f;
 
-// A free space on a board: from `right_m` to `left_m` (y), from the board up, as deep as from
-// `rear_m` to `front_m` (x).
-struct Space {
-  float rear_m;
-  float front_m;
-  float right_m;
-  float left_m;
-  float low_m;
-  float high_m;
-};
-
-// Groups of books, each of one height and depth, with gaps and what lies about between them.
-void FillWithBooks(FurnitureBuilder& b, const Space& space) {
-  const float rise_m = space.high_m - space.low_m;
-  float y = space.left_m - 0.01f;  // from left to right as seen from the front
-  while (y - space.right_m > 0.1f) {
-    const float width_m = std::min(b.Random(0.12f, 0.38f), y - space.right_m - 0.01f);
-    const float height_m = std::min(b.Random(0.19f, 0.3f), rise_m - 0.02f);
-    const float depth_m = std::min(b.Random(0.14f, 0.24f), space.front_m - space.rear_m - 0.01f);
-    const float front = space.front_m - b.Random(0.01f, 0.05f);
-    const float kind = b.Random(0, 1);
-    const Eigen::Vector3f low(std::max(front - depth_m, space.rear_m), y - width_m, space.low_m);
-    if (kind < 0.72f) {
-      b.BoxWithPicture("paper", "books", low, {front, y, space.low_m + height_m});
-    } else if (kind < 0.86f) {  // lying
-      b.BoxWithPicture("paper", "books", low, {front, y, space.low_m + 0.35f * height_m});
-    }
-    y -= width_m + (kind > 0.6f ? b.Random(0.02f, 0.1f) : 0.004f);
-  }
-}
-
 // Sides, top, back and boards; returns the spaces between the boards.
-std::vector<Space> AddCase(FurnitureBuilder& b, int rows) {
+std::vector<ShelfSpace> AddCase(FurnitureBuilder& b, int rows) {
   const float rear = -0.5f * b.depth();
   const float front = 0.5f * b.depth();
   const float side = 0.5f * b.width();
@@ -53,7 +22,7 @@ std::vector<Space> AddCase(FurnitureBuilder& b, int rows) {
         {rear + 0.006f, side - kBoardM, b.height() - kBoardM});
   b.Box("body", {front - 0.04f, -side + kBoardM, 0}, {front - 0.02f, side - kBoardM, plinth_m});
   const float each_m = (b.height() - plinth_m - kBoardM) / rows;
-  std::vector<Space> spaces;
+  std::vector<ShelfSpace> spaces;
   for (int i = 0; i <= rows; ++i) {
     const float low = plinth_m + i * each_m;
     b.Box("body", {rear + (i < rows ? 0.006f : 0.0f), -side + kBoardM, low},
@@ -70,7 +39,7 @@ int RowsOf(const FurnitureBuilder& b) {
 }
 
 void BuildBookshelf(FurnitureBuilder& b) {
-  for (const Space& space : AddCase(b, RowsOf(b))) {
+  for (const ShelfSpace& space : AddCase(b, RowsOf(b))) {
     if (b.Random(0, 1) < b.Number("fill")) FillWithBooks(b, space);
   }
 }

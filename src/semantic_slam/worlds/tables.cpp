@@ -3,17 +3,13 @@
 
 #include "semantic_slam/worlds/furniture_builder.h"
 #include "semantic_slam/worlds/furniture_families.h"
+#include "semantic_slam/worlds/furniture_parts.h"
 #include "semantic_slam/worlds/shapes.h"
 
 namespace semantic_slam {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-
-void AddTop(FurnitureBuilder& b, float thickness_m) {
-  b.Box("top", {-0.5f * b.depth(), -0.5f * b.width(), b.height() - thickness_m},
-        {0.5f * b.depth(), 0.5f * b.width(), b.height()});
-}
 
 void AddCornerLegs(FurnitureBuilder& b, float leg_m, float inset_m, float height_m) {
   const float x_m = 0.5f * (b.depth() - leg_m) - inset_m;
@@ -41,14 +37,14 @@ void AddApron(FurnitureBuilder& b, float inset_m, float board_m, float top_m, fl
 void BuildTable(FurnitureBuilder& b) {
   const float top_m = 0.04f * b.height() + 0.005f;
   const float leg_m = 0.08f * b.height() + 0.01f;
-  AddTop(b, top_m);
+  AddTableTop(b, top_m);
   AddCornerLegs(b, leg_m, 0.03f, b.height() - top_m);
   AddApron(b, 0.04f, 0.02f, b.height() - top_m, 0.11f * b.height());
 }
 
 void BuildCoffeeTable(FurnitureBuilder& b) {
   const float top_m = 0.035f;
-  AddTop(b, top_m);
+  AddTableTop(b, top_m);
   AddCornerLegs(b, 0.05f, 0.04f, b.height() - top_m);
 }
 
@@ -95,7 +91,7 @@ void AddPedestal(FurnitureBuilder& b, float top_m) {
 void BuildDesk(FurnitureBuilder& b) {
   const float top_m = 0.028f;
   const float under_m = b.height() - top_m;
-  AddTop(b, top_m);
+  AddTableTop(b, top_m);
   AddCornerLegs(b, 0.05f, 0.02f, under_m);
   b.Box("legs", {-0.5f * b.depth() + 0.04f, -0.5f * b.width() + 0.07f, under_m - 0.3f},
         {-0.5f * b.depth() + 0.058f, 0.5f * b.width() - 0.07f, under_m});
