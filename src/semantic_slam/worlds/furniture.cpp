@@ -15,7 +15,7 @@ namespace {
 DesignTable AllDesigns() {
   DesignTable all;
   for (auto* family : {ChairDesigns, OfficeChairDesigns, ArmchairDesigns, SofaDesigns, TableDesigns,
-                       DeskDesigns, StorageDesigns}) {
+                       DeskDesigns, StorageDesigns, ShelfDesigns, BedDesigns, LampDesigns}) {
     DesignTable more = family();
     all.merge(more);
   }

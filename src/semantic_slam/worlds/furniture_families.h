@@ -35,5 +35,8 @@ DesignTable SofaDesigns();
 DesignTable TableDesigns();
 DesignTable DeskDesigns();
 DesignTable StorageDesigns();
+DesignTable ShelfDesigns();
+DesignTable BedDesigns();
+DesignTable LampDesigns();
 
 }  // namespace semantic_slam

@@ -2,31 +2,11 @@
 
 #include "semantic_slam/worlds/furniture_builder.h"
 #include "semantic_slam/worlds/furniture_families.h"
+#include "semantic_slam/worlds/lamp_parts.h"
 #include "semantic_slam/worlds/shapes.h"
 
 namespace semantic_slam {
 namespace {
-
-constexpr float kPaperM = 0.004f;  // thickness of a shade
-
-// A shade that is open below and above: a thin wall between two cones.
-Mesh ShadeMesh(const Eigen::Vector3f& foot_m, float bottom_radius_m, float top_radius_m,
-               float height_m) {
-  return LatheMesh(foot_m,
-                   {{bottom_radius_m - kPaperM, 0},
-                    {bottom_radius_m, 0},
-                    {top_radius_m, height_m},
-                    {top_radius_m - kPaperM, height_m},
-                    {bottom_radius_m - kPaperM, 0}},
-                   28);
-}
-
-void AddLightBelow(FurnitureBuilder& b, float side_m) {
-  const float strength = b.Number("light");
-  if (!(strength > 0.0f)) return;
-  const Eigen::Vector3f rgb(1.0f, 0.95f, 0.86f);  // warm white
-  b.AddLight({{0, 0, -0.03}, side_m, {strength * rgb.x(), strength * rgb.y(), strength * rgb.z()}});
-}
 
 // A foot, a stem and a shade with a bulb in it.
 void AddStandingLamp(FurnitureBuilder& b, float stem_m, float shade_m) {

@@ -22,8 +22,7 @@ FittedPiece FitDoor(const Building& building, const WallOpening& hole, const Wal
   const double behind_m = HalfBehind(building, hole, site);
   const Eigen::Vector3d size_m(front_m + behind_m + kCasingDepthM, hole.width_m + 2 * kCasingM,
                                hole.top_m - hole.bottom_m + kCasingM);
-  return {building.OpeningPose(hole, site) *
-              Eigen::Translation3d(0.5 * (front_m - behind_m), 0, 0),
+  return {building.OpeningPose(hole, site) * Eigen::Translation3d(0.5 * (front_m - behind_m), 0, 0),
           size_m.cast<float>()};
 }
 
