@@ -15,7 +15,8 @@ namespace {
 DesignTable AllDesigns() {
   DesignTable all;
   for (auto* family : {ChairDesigns, OfficeChairDesigns, ArmchairDesigns, SofaDesigns, TableDesigns,
-                       DeskDesigns, StorageDesigns, ShelfDesigns, BedDesigns, LampDesigns}) {
+                       DeskDesigns, StorageDesigns, ShelfDesigns, BedDesigns, LampDesigns,
+                       OpeningDesigns, WallDesigns, PlantDesigns}) {
     DesignTable more = family();
     all.merge(more);
   }

@@ -38,5 +38,8 @@ DesignTable StorageDesigns();
 DesignTable ShelfDesigns();
 DesignTable BedDesigns();
 DesignTable LampDesigns();
+DesignTable OpeningDesigns();
+DesignTable WallDesigns();
+DesignTable PlantDesigns();
 
 }  // namespace semantic_slam

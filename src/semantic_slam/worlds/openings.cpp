@@ -37,35 +37,128 @@ void AddDoorFrame(FurnitureBuilder& b) {
   }
 }
 
-// A leaf with two raised panels and a handle on each side, opened about its hinges on the left or
-// right as seen from the front, to which it opens.
+// Adds boxes in the frame of a leaf that is opened about its hinges, on the left or right as seen
+// from the front, to which it opens: x to the front, y from the hinges.
+class LeafBuilder {
+ public:
+  explicit LeafBuilder(FurnitureBuilder& b)
+      : b_(b),
+        wide_m_(b.width() - 2 * kCoverM - 2 * kJambM - 0.008f),
+        high_m_(b.height() - kCoverM - kJambM - 0.004f),
+        hinge_(b.Number("hinge_left") > 0.5f ? -1.0f : 1.0f),  // left as seen is -y
+        handle_m_(std::min(0.05f, 0.5f * (b.depth() - kLeafM) - 0.005f)),
+        T_object_leaf_(Eigen::Translation3d(0, hinge_ * 0.5f * wide_m_, 0)) {
+    T_object_leaf_.rotate(
+        Eigen::AngleAxisd(hinge_ * b.Number("open_deg") * kPi / 180, Eigen::Vector3d::UnitZ()));
+  }
+
+  float wide_m() const { return wide_m_; }
+  float high_m() const { return high_m_; }
+
+  void Add(const char* part, const Eigen::Vector3f& centre, const Eigen::Vector3f& size) {
+    const Eigen::Vector3f mirrored(centre.x(), -hinge_ * centre.y(), centre.z());
+    b_.Add(part, BoxMesh(mirrored, size), T_object_leaf_);
+  }
+
+  void AddBoard() {
+    Add("leaf", {0, 0.5f * wide_m_, 0.5f * high_m_ + 0.004f}, {kLeafM, wide_m_, high_m_ - 0.008f});
+  }
+
+  // A raised field on one side (1: front), between shares of the width and of the height.
+  void AddField(float side, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
+    const Eigen::Vector2f middle = 0.5f * (low + high);
+    const Eigen::Vector2f size = high - low;
+    Add("leaf", {side * (0.5f * kLeafM + 0.003f), middle.x() * wide_m_, middle.y() * high_m_},
+        {0.006f, size.x() * wide_m_, size.y() * high_m_});
+  }
+
+  void AddLever(float side) {
+    const float lever = side * (0.5f * kLeafM + handle_m_ - 0.008f);
+    Add("handle", {0.5f * (lever + side * 0.5f * kLeafM), wide_m_ - 0.06f, 1.03f},
+        {std::abs(lever - side * 0.5f * kLeafM), 0.02f, 0.02f});
+    Add("handle", {lever, wide_m_ - 0.11f, 1.03f}, {0.016f, 0.12f, 0.022f});
+  }
+
+  // An upright bar to pull.
+  void AddBar(float side) {
+    const float bar = side * (0.5f * kLeafM + handle_m_ - 0.008f);
+    for (const float z : {0.85f, 1.35f}) {
+      Add("handle", {0.5f * (bar + side * 0.5f * kLeafM), wide_m_ - 0.08f, z},
+          {std::abs(bar - side * 0.5f * kLeafM), 0.02f, 0.02f});
+    }
+    Add("handle", {bar, wide_m_ - 0.08f, 1.1f}, {0.016f, 0.03f, 0.7f});
+  }
+
+ private:
+  FurnitureBuilder& b_;
+  const float wide_m_;
+  const float high_m_;
+  const float hinge_;
+  const float handle_m_;
+  Rigid3d T_object_leaf_;
+};
+
+// Two raised panels and a handle on each side.
 void AddLeaf(FurnitureBuilder& b) {
-  const float wide = b.width() - 2 * kCoverM - 2 * kJambM - 0.008f;
-  const float high = b.height() - kCoverM - kJambM - 0.004f;
-  const float hinge = b.Number("hinge_left") > 0.5f ? -1.0f : 1.0f;  // left as seen is -y
-  const float handle_m = std::min(0.05f, 0.5f * (b.depth() - kLeafM) - 0.005f);
-  Rigid3d T = Rigid3d(Eigen::Translation3d(0, hinge * 0.5f * wide, 0));
-  T.rotate(Eigen::AngleAxisd(hinge * b.Number("open_deg") * kPi / 180, Eigen::Vector3d::UnitZ()));
-  const auto add = [&](const char* part, const Eigen::Vector3f& centre,
-                       const Eigen::Vector3f& size) {
-    const Eigen::Vector3f mirrored(centre.x(), -hinge * centre.y(), centre.z());
-    b.Add(part, BoxMesh(mirrored, size), T);
-  };
-  add("leaf", {0, 0.5f * wide, 0.5f * high + 0.004f}, {kLeafM, wide, high - 0.008f});
+  LeafBuilder leaf(b);
+  const float wide = leaf.wide_m(), high = leaf.high_m();
+  leaf.AddBoard();
   for (const float side : {-1.0f, 1.0f}) {
     const float face = side * (0.5f * kLeafM + 0.003f);
-    add("leaf", {face, 0.5f * wide, 0.26f * high}, {0.006f, wide - 0.24f, 0.32f * high});
-    add("leaf", {face, 0.5f * wide, 0.71f * high}, {0.006f, wide - 0.24f, 0.42f * high});
-    const float lever = side * (0.5f * kLeafM + handle_m - 0.008f);
-    add("handle", {0.5f * (lever + side * 0.5f * kLeafM), wide - 0.06f, 1.03f},
-        {std::abs(lever - side * 0.5f * kLeafM), 0.02f, 0.02f});
-    add("handle", {lever, wide - 0.11f, 1.03f}, {0.016f, 0.12f, 0.022f});
+    leaf.Add("leaf", {face, 0.5f * wide, 0.26f * high}, {0.006f, wide - 0.24f, 0.32f * high});
+    leaf.Add("leaf", {face, 0.5f * wide, 0.71f * high}, {0.006f, wide - 0.24f, 0.42f * high});
+    leaf.AddLever(side);
   }
 }
 
 void BuildDoor(FurnitureBuilder& b) {
   AddDoorFrame(b);
   if (b.Number("leaf") > 0.5f) AddLeaf(b);
+}
+
+// Flush, with an upright bar.
+void BuildFlushDoor(FurnitureBuilder& b) {
+  AddDoorFrame(b);
+  if (b.Number("leaf") < 0.5f) return;
+  LeafBuilder leaf(b);
+  leaf.AddBoard();
+  for (const float side : {-1.0f, 1.0f}) leaf.AddBar(side);
+}
+
+// Six raised fields.
+void BuildSixPanelDoor(FurnitureBuilder& b) {
+  AddDoorFrame(b);
+  if (b.Number("leaf") < 0.5f) return;
+  LeafBuilder leaf(b);
+  leaf.AddBoard();
+  for (const float side : {-1.0f, 1.0f}) {
+    for (const float left : {0.12f, 0.54f}) {
+      leaf.AddField(side, {left, 0.08f}, {left + 0.34f, 0.36f});
+      leaf.AddField(side, {left, 0.42f}, {left + 0.34f, 0.76f});
+      leaf.AddField(side, {left, 0.82f}, {left + 0.34f, 0.94f});
+    }
+    leaf.AddLever(side);
+  }
+}
+
+// Planks with gaps, held by two boards across.
+void BuildPlankDoor(FurnitureBuilder& b) {
+  AddDoorFrame(b);
+  if (b.Number("leaf") < 0.5f) return;
+  constexpr int kPlanks = 6;
+  LeafBuilder leaf(b);
+  leaf.AddBoard();
+  for (const float side : {-1.0f, 1.0f}) {
+    for (int i = 0; i < kPlanks; ++i) {
+      const float left = static_cast<float>(i) / kPlanks;
+      leaf.AddField(side, {left + 0.01f, 0.01f}, {left + 1.0f / kPlanks - 0.01f, 0.99f});
+    }
+    for (const float z : {0.2f, 0.8f}) {
+      leaf.Add("frame", {side * (0.5f * kLeafM + 0.014f), 0.5f * leaf.wide_m(), z * leaf.high_m()},
+               {0.02f, 0.96f * leaf.wide_m(), 0.12f});
+    }
+    leaf.AddLever(side);
+  }
 }
 
 // What can be seen through it is a picture, on the front; a bar in the middle and a sill.
@@ -89,6 +182,40 @@ void BuildWindow(FurnitureBuilder& b) {
   }
   b.BoxWithPicture("frame", "view", {-0.4f * x, -side + bar_m, low + bar_m},
                    {-0.3f * x, side - bar_m, b.height() - bar_m});
+}
+
+// A view behind `columns` x `rows` panes, in a frame of bars without a sill.
+void AddPanedWindow(FurnitureBuilder& b, int columns, int rows, float frame_m, float muntin_m) {
+  const float x = 0.5f * b.depth();
+  const float side = 0.5f * b.width();
+  b.Box("frame", {-x, -side, 0}, {x, side, frame_m});
+  b.Box("frame", {-x, -side, b.height() - frame_m}, {x, side, b.height()});
+  for (const float y : {-side, side - frame_m}) {
+    b.Box("frame", {-x, y, frame_m}, {x, y + frame_m, b.height() - frame_m});
+  }
+  for (int i = 1; i < columns; ++i) {
+    const float y = -side + i * b.width() / columns;
+    b.Box("frame", {-0.4f * x, y - 0.5f * muntin_m, frame_m},
+          {0.2f * x, y + 0.5f * muntin_m, b.height() - frame_m});
+  }
+  for (int i = 1; i < rows; ++i) {
+    const float z = i * b.height() / rows;
+    b.Box("frame", {-0.4f * x, -side + frame_m, z - 0.5f * muntin_m},
+          {0.15f * x, side - frame_m, z + 0.5f * muntin_m});
+  }
+  b.BoxWithPicture("frame", "view", {-0.5f * x, -side + frame_m, frame_m},
+                   {-0.3f * x, side - frame_m, b.height() - frame_m});
+}
+
+// Many small panes, as in old houses.
+void BuildMuntinWindow(FurnitureBuilder& b) {
+  AddPanedWindow(b, std::max(2, static_cast<int>(std::lround(b.width() / 0.4f))),
+                 std::max(2, static_cast<int>(std::lround(b.height() / 0.42f))), 0.07f, 0.025f);
+}
+
+// One large pane in a slender frame.
+void BuildPictureWindow(FurnitureBuilder& b) {
+  AddPanedWindow(b, 1, 1, 0.035f, 0.0f);
 }
 
 // Two curtains on a rod, drawn apart by `open`; folds hang straight down.
@@ -170,6 +297,15 @@ std::vector<FurnitureKind> OpeningKinds() {
         {"cords", MakeMaterial("cloth", {200, 200, 195})}},
        {},
        BuildBlinds}};
+}
+
+DesignTable OpeningDesigns() {
+  return {{"door",
+           {{BuildFlushDoor, {0.15f, 1.1f, 2.1f}},
+            {BuildSixPanelDoor, {0.15f, 1.1f, 2.1f}},
+            {BuildPlankDoor, {0.15f, 1.1f, 2.1f}}}},
+          {"window",
+           {{BuildMuntinWindow, {0.14f, 1.4f, 1.3f}}, {BuildPictureWindow, {0.14f, 1.6f, 1.4f}}}}};
 }
 
 }  // namespace semantic_slam

@@ -6,7 +6,8 @@ namespace {
 PatternTable AllPatterns() {
   PatternTable all;
   for (PatternTable family :
-       {BuildingPatterns(), WoodPatterns(), TextilePatterns(), PlainPatterns(), LivingPatterns(),
+       {BuildingPatterns(), WallPatterns(), FloorPatterns(), WoodPatterns(), TextilePatterns(),
+        UpholsteryPatterns(), RugPatterns(), PlainPatterns(), LivingPatterns(),
         WallPicturePatterns(), PrintPatterns(), DevicePatterns()}) {
     all.merge(family);
   }

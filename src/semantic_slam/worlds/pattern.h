@@ -37,8 +37,12 @@ inline Pattern Picture(Pattern::Paint paint, double texel_m = 0.002) {
 
 // The families, one file each.
 PatternTable BuildingPatterns();  // walls, floors, ceilings
+PatternTable WallPatterns();      // more of walls and ceilings
+PatternTable FloorPatterns();     // more of floors
 PatternTable WoodPatterns();
 PatternTable TextilePatterns();
+PatternTable UpholsteryPatterns();   // more of what seats are covered with, and of curtains
+PatternTable RugPatterns();          // more of rugs
 PatternTable PlainPatterns();        // smooth stuff of furniture and packaging
 PatternTable LivingPatterns();       // plants and skin
 PatternTable WallPicturePatterns();  // what hangs on a wall

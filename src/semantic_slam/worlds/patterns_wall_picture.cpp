@@ -38,6 +38,72 @@ void PaintPainting(Painter& painter, const Bgr& colour) {
   painter.AddNoise(0.004, 0.015, 9);
 }
 
+// A photograph behind a mount of the main colour.
+void PaintPhotograph(Painter& painter, const Bgr& colour) {
+  const double w_m = painter.width_m(), h_m = painter.height_m();
+  const double edge_m = painter.Uniform(0.08, 0.2) * std::min(w_m, h_m);
+  painter.Fill(colour);
+  Painter photo = painter.Part(edge_m, edge_m, w_m - 2 * edge_m, h_m - 2 * edge_m);
+  PaintScene(photo, Hsv(painter.Uniform(0, 1), painter.Uniform(0.1, 0.4), 0.85));
+  if (painter.Chance(0.4)) photo.RemoveColour();
+  painter.Frame(edge_m, edge_m, w_m - 2 * edge_m, h_m - 2 * edge_m, 0.003, colour * 0.6);
+}
+
+// A few plain areas and lines on paper of the main colour.
+void PaintGraphicPrint(Painter& painter, const Bgr& colour) {
+  const double w_m = painter.width_m(), h_m = painter.height_m();
+  const double size_m = std::min(w_m, h_m);
+  painter.Fill(colour);
+  const double hue = painter.Uniform(0, 1);
+  for (int i = 0; i < 7; ++i) {
+    const Bgr ink = Hsv(std::fmod(hue + 0.08 * painter.Integer(0, 3), 1.0),
+                        painter.Uniform(0.3, 0.8), painter.Uniform(0.3, 0.95));
+    const cv::Point2d at_m(painter.Uniform(0.15, 0.85) * w_m, painter.Uniform(0.15, 0.85) * h_m);
+    const double r_m = painter.Uniform(0.08, 0.25) * size_m;
+    const int shape = painter.Integer(0, 2);
+    if (shape == 0) painter.Disc(at_m, r_m, ink);
+    if (shape == 1) painter.Ellipse(at_m, 1.4 * r_m, 0.5 * r_m, ink, painter.Uniform(0, CV_PI));
+    if (shape == 2)
+      painter.Polygon({at_m, at_m + cv::Point2d(r_m, 1.5 * r_m), at_m - cv::Point2d(r_m, -r_m)},
+                      ink);
+  }
+  for (int i = 0; i < 5; ++i) {
+    const double y_m = painter.Uniform(0.1, 0.9) * h_m;
+    painter.Line(
+        {{0.1 * w_m, y_m}, {0.5 * w_m, y_m + painter.Uniform(-0.2, 0.2) * h_m}, {0.9 * w_m, y_m}},
+        0.008 * size_m, InkOn(colour));
+  }
+  painter.AddNoise(0.004, 4);
+}
+
+// A plant in ink, with the names of its parts.
+void PaintDrawing(Painter& painter, const Bgr& colour) {
+  const double w_m = painter.width_m(), h_m = painter.height_m();
+  const double size_m = std::min(w_m, h_m);
+  const Bgr ink = InkOn(colour);
+  painter.Fill(colour);
+  for (int stem = -2; stem <= 2; ++stem) {
+    const double lean = 0.16 * stem * w_m + painter.Uniform(-0.05, 0.05) * w_m;
+    const double rise_m = painter.Uniform(0.5, 0.75) * h_m;
+    const auto place = [&](double share) {
+      return cv::Point2d(0.5 * w_m + lean * share * share, 0.88 * h_m - share * rise_m);
+    };
+    painter.Line({place(0), place(0.35), place(0.7), place(1)}, 0.008 * size_m, ink);
+    for (int leaf = 2; leaf <= 8; ++leaf) {
+      const double side = leaf % 2 == 0 ? 1 : -1;
+      const cv::Point2d at_m = place(leaf / 8.0) + cv::Point2d(side * 0.045 * size_m, 0);
+      painter.Ellipse(at_m, 0.05 * size_m, 0.018 * size_m, ink, side * -0.6);
+      painter.Ellipse(at_m, 0.042 * size_m, 0.012 * size_m, Mix(colour, ink, 0.25), side * -0.6);
+    }
+  }
+  const double letter_m = 0.03 * size_m;
+  painter.Text(0.1 * w_m, 0.95 * h_m, letter_m, Words(painter, 2), ink);
+  painter.Frame(0.03 * size_m, 0.03 * size_m, w_m - 0.06 * size_m, h_m - 0.06 * size_m,
+                0.004 * size_m, ink);
+  painter.AddNoise(0.1, 3);
+  painter.AddNoise(0.004, 4);
+}
+
 // A dim room, out of focus, with the main colour's cast.
 void PaintMirror(Painter& painter, const Bgr& colour) {
   const double w_m = painter.width_m(), h_m = painter.height_m();
@@ -129,6 +195,9 @@ PatternTable WallPicturePatterns() {
   cork.extent = Pattern::Extent::kEither;
   return {{"poster", Picture(PaintPoster)},
           {"painting", Picture(PaintPainting)},
+          {"photograph", Picture(PaintPhotograph)},
+          {"graphic_print", Picture(PaintGraphicPrint)},
+          {"drawing", Picture(PaintDrawing)},
           {"window_view", Picture(PaintStreet, 0.003)},
           {"mirror", Picture(PaintMirror, 0.004)},
           {"clock_face", Picture(PaintClockFace, 0.001)},

@@ -109,6 +109,7 @@ void PaintBoards(Painter& painter, const Bgr& colour, const BoardLayout& layout)
     painter.Ellipse(at_m, 0.013, 0.008, dark(0.55));
     painter.Ellipse(at_m, 0.008, 0.005, dark(0.38));
   }
+  if (!(layout.gap_m > 0.0)) return;
   const Bgr gap = dark(0.42);
   for (const cv::Point2d& at_m : corners_m) {
     painter.Rectangle(at_m.x, at_m.y, painter.width_m() / layout.per_row, layout.gap_m, gap);
@@ -145,10 +146,55 @@ void PaintParquet(Painter& painter, const Bgr& colour) {
   painter.Flecks(60, 0.004, 0.014, colour * 0.6, 25);
 }
 
+// One sheet without joints: wide figures as where a trunk is cut along.
+void PaintVeneer(Painter& painter, const Bgr& colour) {
+  BoardLayout layout;
+  layout.rows = 1;
+  layout.per_row = 1;
+  layout.gap_m = 0;
+  layout.shade_contrast = 0;
+  layout.ring_m = 0.032;  // a whole number of them in the period
+  layout.grain_contrast = 24;
+  layout.knots = 2;
+  layout.bareness = Bareness(colour);
+  PaintBoards(painter, colour, layout);
+}
+
+// Old planks with wide joints, many knots, worm holes and nails.
+void PaintRusticWood(Painter& painter, const Bgr& colour) {
+  BoardLayout layout;
+  layout.rows = 8;
+  layout.per_row = 2;
+  layout.gap_m = 0.005;
+  layout.shade_contrast = 26;
+  layout.grain_contrast = 40;
+  layout.knots = 22;
+  layout.bareness = Bareness(colour);
+  PaintBoards(painter, colour, layout);
+  painter.Flecks(260, 0.003, 0.012, colour * 0.45, 18);
+  painter.AddNoise(0.12, 8);
+}
+
+// Long chips pressed to boards, lying in all directions.
+void PaintChipboard(Painter& painter, const Bgr& colour) {
+  painter.Fill(colour * 0.9);
+  const int chips = cvRound(1400 * painter.width_m() * painter.height_m());
+  for (int i = 0; i < chips; ++i) {
+    const cv::Point2d at_m(painter.Uniform(0, painter.width_m()),
+                           painter.Uniform(0, painter.height_m()));
+    painter.Ellipse(at_m, painter.Uniform(0.015, 0.05), painter.Uniform(0.004, 0.011),
+                    painter.Near(colour, 30), painter.Uniform(0, CV_PI));
+  }
+  painter.AddNoise(0.02, 0.003, 6);
+}
+
 }  // namespace
 
 PatternTable WoodPatterns() {
   return {{"wood", Repeating(PaintWood, 0.0025, {512, 512})},
+          {"veneer", Repeating(PaintVeneer, 0.0025, {512, 512})},
+          {"rustic_wood", Repeating(PaintRusticWood, 0.0025, {512, 512})},
+          {"chipboard", Repeating(PaintChipboard, 0.0025, {512, 512})},
           {"parquet", Repeating(PaintParquet, 0.0025, {1024, 1024})}};
 }
 

@@ -89,6 +89,64 @@ void BuildPalm(FurnitureBuilder& b) {
   b.FitToSize();
 }
 
+// A trunk that carries a ball of leaves.
+void BuildTree(FurnitureBuilder& b) {
+  constexpr int kLeaves = 110;
+  const float soil = AddPot(b, 0.3f * b.width(), 0.2f * b.height());
+  const Eigen::Vector3f crown(0, 0, 0.74f * b.height());
+  b.Add("stems", LimbMesh({0, 0, soil - 0.01f}, crown, 0.018f, 0.012f, 8));
+  const float radius_m = 0.34f * b.width();
+  for (int leaf = 0; leaf < kLeaves; ++leaf) {
+    const float up = 1.0f - 2.0f * (leaf + 0.5f) / kLeaves;  // evenly on a sphere
+    const float heading = 2.4f * leaf;
+    const float out = std::sqrt(1.0f - up * up);
+    const Eigen::Vector3f at =
+        crown + radius_m * b.Random(0.55f, 0.9f) *
+                    Eigen::Vector3f(out * std::cos(heading), out * std::sin(heading), up);
+    const float length_m = 0.3f * b.width() * b.Random(0.7f, 1.0f);
+    b.Add("leaves", LeafMesh(length_m, 0.5f * length_m, 0.2f * length_m),
+          LeafPose(at, heading, 0.8f * up + b.Random(-0.4f, 0.4f), b.Random(-0.5f, 0.5f)));
+  }
+  b.FitToSize();
+}
+
+// A few broad leaves on long stalks, as Monstera has.
+void BuildBroadLeaves(FurnitureBuilder& b) {
+  constexpr int kStalks = 9;
+  const float soil = AddPot(b, 0.26f * b.width(), 0.26f * b.height());
+  for (int stalk = 0; stalk < kStalks; ++stalk) {
+    const float heading = 2.4f * stalk;
+    const Eigen::Vector3f out(std::cos(heading), std::sin(heading), 0);
+    const float rise_m = (0.35f + 0.55f * stalk / kStalks) * (b.height() - soil);
+    const Eigen::Vector3f tip =
+        b.Random(0.12f, 0.22f) * b.width() * out + (soil + rise_m) * Eigen::Vector3f::UnitZ();
+    b.Add("stems", LimbMesh(0.03f * out + soil * Eigen::Vector3f::UnitZ(), tip, 0.007f, 0.005f, 6));
+    const float length_m = b.Random(0.36f, 0.48f) * b.width();
+    b.Add("leaves", LeafMesh(length_m, 0.85f * length_m, 0.35f * length_m),
+          LeafPose(tip, heading, b.Random(0.1f, 0.5f), b.Random(-0.2f, 0.2f)));
+  }
+  b.FitToSize();
+}
+
+// Columns of a cactus, one of them with arms.
+void BuildCactus(FurnitureBuilder& b) {
+  const float soil = AddPot(b, 0.4f * b.width(), 0.3f * b.height());
+  const float thick_m = 0.11f * b.width();
+  const auto limb = [&](const Eigen::Vector3f& from, const Eigen::Vector3f& to, float share) {
+    b.Add("leaves", LimbMesh(from, to, share * thick_m, share * thick_m, 10));
+  };
+  limb({0, 0, soil}, {0, 0, 0.95f * b.height()}, 1.0f);
+  limb({0.5f * thick_m, 2.4f * thick_m, soil}, {0.5f * thick_m, 2.4f * thick_m, 0.6f * b.height()},
+       0.7f);
+  for (const float side : {-1.0f, 1.0f}) {
+    const float low = (side < 0 ? 0.5f : 0.68f) * b.height();
+    const float out = side * 0.36f * b.width();
+    limb({0, 0, low}, {0, out, low + 0.03f * b.height()}, 0.65f);
+    limb({0, out, low + 0.03f * b.height()}, {0, out, low + 0.24f * b.height()}, 0.65f);
+  }
+  b.FitToSize();
+}
+
 FurnitureKind PlantOf(const std::string& name, const Eigen::Vector3f& size_m,
                       const std::array<std::uint8_t, 3>& leaf_rgb,
                       const std::array<std::uint8_t, 3>& pot_rgb,
@@ -117,6 +175,17 @@ std::vector<FurnitureKind> PlantKinds() {
           WithStems(PlantOf("palm", {1.0f, 1.0f, 1.5f}, {58, 128, 60}, {90, 92, 98}, BuildPalm)),
           WithStems(PlantOf("pot_plant", {0.26f, 0.26f, 0.32f}, {86, 142, 58}, {196, 120, 84},
                             BuildBush))};
+}
+
+DesignTable PlantDesigns() {
+  return {{"plant",
+           {{BuildBroadLeaves, {0.8f, 0.8f, 1.0f}},
+            {BuildTree, {0.7f, 0.7f, 1.5f}},
+            {BuildCactus, {0.45f, 0.45f, 0.9f}}}},
+          {"pot_plant",
+           {{BuildBroadLeaves, {0.32f, 0.32f, 0.36f}},
+            {BuildCactus, {0.16f, 0.16f, 0.28f}},
+            {BuildTree, {0.3f, 0.3f, 0.5f}}}}};
 }
 
 }  // namespace semantic_slam

@@ -55,6 +55,70 @@ void BuildWhiteboard(FurnitureBuilder& b) {
   b.Box("frame", {0, -0.4f * side, 0.012f}, {face, 0.4f * side, kTrayM});
 }
 
+// A broad frame, and a tray along its whole width.
+void BuildTrayWhiteboard(FurnitureBuilder& b) {
+  constexpr float kBarM = 0.045f;
+  const float side = 0.5f * b.width();
+  const float face = std::min(0.035f, 0.4f * b.depth());
+  b.Box("frame", {0, -side, 0}, {b.depth(), side, 0.015f});
+  b.Box("frame", {b.depth() - 0.01f, -side, 0.015f}, {b.depth(), side, 0.03f});
+  b.Box("frame", {0, -side, 0.015f}, {face, side, 0.015f + kBarM});
+  b.Box("frame", {0, -side, b.height() - kBarM}, {face, side, b.height()});
+  for (const float y : {-side, side - kBarM}) {
+    b.Box("frame", {0, y, 0.015f + kBarM}, {face, y + kBarM, b.height() - kBarM});
+  }
+  b.BoxWithPicture("frame", "board", {0, -side + kBarM, 0.015f + kBarM},
+                   {0.6f * face, side - kBarM, b.height() - kBarM});
+}
+
+// A pane of glass without a frame, on four studs that keep it from the wall.
+void BuildGlassWhiteboard(FurnitureBuilder& b) {
+  const float side = 0.5f * b.width();
+  const float front = b.depth() - 0.004f;
+  b.BoxWithPicture("frame", "board", {front - 0.008f, -side, 0}, {front, side, b.height()});
+  for (const float y : {-side + 0.06f, side - 0.06f}) {
+    for (const float z : {0.06f, b.height() - 0.06f}) {
+      b.Add("frame", CylinderMesh({0, 0, 0}, 0.016f, 0.016f, b.depth(), 12),
+            Rigid3d(Eigen::Translation3d(0, y, z)) * Upright());
+    }
+  }
+}
+
+// On a frame with castors that can be pushed about.
+void BuildRollingWhiteboard(FurnitureBuilder& b) {
+  const float side = 0.5f * b.width();
+  const float low = 0.38f * b.height();
+  for (const float y : {-side + 0.02f, side - 0.02f}) {
+    b.Box("frame", {-0.02f, y - 0.02f, 0.06f}, {0.02f, y + 0.02f, b.height()});
+    b.Box("frame", {-0.5f * b.depth(), y - 0.02f, 0.06f}, {0.5f * b.depth(), y + 0.02f, 0.09f});
+    for (const float x : {-0.5f * b.depth() + 0.04f, 0.5f * b.depth() - 0.04f}) {
+      b.Add("frame", EllipsoidMesh({x, y, 0.035f}, {0.035f, 0.018f, 0.035f}, 12));
+    }
+  }
+  b.Box("frame", {-0.015f, -side + 0.04f, 0.2f}, {0.015f, side - 0.04f, 0.24f});
+  b.Box("frame", {-0.015f, -side + 0.04f, low - 0.02f}, {0.015f, side - 0.04f, low});
+  b.Box("frame", {-0.015f, -side + 0.04f, b.height() - 0.02f}, {0.015f, side - 0.04f, b.height()});
+  b.BoxWithPicture("frame", "board", {-0.012f, -side + 0.04f, low},
+                   {0.012f, side - 0.04f, b.height() - 0.02f});
+  b.Box("frame", {0.012f, -0.5f * side, low - 0.02f}, {0.09f, 0.5f * side, low - 0.008f});
+  b.FitToSize();
+}
+
+// A flip chart: a board on three legs, with a pad of paper.
+void BuildEasel(FurnitureBuilder& b) {
+  const float side = 0.5f * b.width();
+  const float low = 0.42f * b.height();
+  const Rigid3d T = Rigid3d(Eigen::AngleAxisd(-0.12, Eigen::Vector3d::UnitY()));
+  const Eigen::Vector3f top(0, 0, 0.95f * b.height());
+  for (const float y : {-0.85f * side, 0.85f * side}) {
+    b.Add("frame", LimbMesh({0, y, 0.01f}, {0, 0.4f * y, top.z()}, 0.012f, 0.012f, 8), T);
+  }
+  b.Add("frame", LimbMesh({-0.4f, 0, 0.06f}, {-0.02f, 0, top.z()}, 0.012f, 0.012f, 8), T);
+  b.BoxWithPicture("frame", "board", {0.014f, -side, low}, {0.035f, side, b.height()}, T);
+  b.Add("frame", BoxMesh({0.05f, 0, low - 0.01f}, {0.08f, 1.6f * side, 0.015f}), T);
+  b.FitToSize();
+}
+
 // A cork board with sheets of paper on it.
 void BuildPinBoard(FurnitureBuilder& b) {
   constexpr float kBarM = 0.02f;
@@ -160,6 +224,13 @@ std::vector<FurnitureKind> WallKinds() {
            {{"frame", alu}, {"board", MakeMaterial("whiteboard", {240, 242, 244}, 0.3f)}},
            {},
            BuildWhiteboard},
+          {"whiteboard_stand",
+           "whiteboard",
+           Mount::kFloor,
+           {0.6f, 1.5f, 1.85f},
+           {{"frame", alu}, {"board", MakeMaterial("whiteboard", {240, 242, 244}, 0.3f)}},
+           {},
+           BuildRollingWhiteboard},
           {"pin_board",
            "picture",
            Mount::kWall,
@@ -192,6 +263,13 @@ std::vector<FurnitureKind> WallKinds() {
             {"jacket", MakeMaterial("cloth", {140, 60, 50})}},
            {},
            BuildCoats}};
+}
+
+DesignTable WallDesigns() {
+  return {
+      {"whiteboard",
+       {{BuildTrayWhiteboard, {0.1f, 2.4f, 1.2f}}, {BuildGlassWhiteboard, {0.04f, 1.6f, 1.0f}}}},
+      {"whiteboard_stand", {{BuildEasel, {0.65f, 0.7f, 1.85f}}}}};
 }
 
 }  // namespace semantic_slam
