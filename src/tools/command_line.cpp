@@ -48,6 +48,12 @@ void CommandLine::Argument(const std::string& name, std::string* value, const st
   arguments_.push_back({name, value, help});
 }
 
+void CommandLine::Arguments(const std::string& name, std::vector<std::string>* values,
+                            const std::string& help) {
+  arguments_.push_back({name + "...", nullptr, help});
+  remaining_ = values;
+}
+
 void CommandLine::Flag(const std::string& name, bool* value, const std::string& help) {
   Add(name, po::bool_switch(value), help);
 }
@@ -95,10 +101,14 @@ void CommandLine::AssignArguments(const std::vector<std::string>& given) const {
   if (given.size() < arguments_.size()) {
     throw ConfigError("missing argument " + arguments_[given.size()].name + kSeeHelp);
   }
-  if (given.size() > arguments_.size()) {
+  if (given.size() > arguments_.size() && remaining_ == nullptr) {
     throw ConfigError("unexpected argument " + given[arguments_.size()] + kSeeHelp);
   }
-  for (std::size_t i = 0; i < given.size(); ++i) *arguments_[i].value = given[i];
+  const std::size_t single = arguments_.size() - (remaining_ == nullptr ? 0 : 1);
+  for (std::size_t i = 0; i < single; ++i) *arguments_[i].value = given[i];
+  if (remaining_ != nullptr) {
+    remaining_->assign(given.begin() + static_cast<std::ptrdiff_t>(single), given.end());
+  }
 }
 
 std::string CommandLine::Help() const {

@@ -41,6 +41,9 @@ class CommandLine {
   // A positional argument; all are required, in the order of these calls.
   void Argument(const std::string& name, std::string* value, const std::string& help);
 
+  // "NAME...": one or more, behind all other arguments.
+  void Arguments(const std::string& name, std::vector<std::string>* values, const std::string& help);
+
   // "--name VALUE_NAME".
   template <typename T>
   void Option(const std::string& name, const std::string& value_name, T* value,
@@ -81,7 +84,7 @@ class CommandLine {
  private:
   struct PositionalArgument {
     std::string name;
-    std::string* value;
+    std::string* value;  // null: those that are left
     std::string help;
   };
   struct OptionName {
@@ -103,6 +106,7 @@ class CommandLine {
   const std::string purpose_;
   boost::program_options::options_description options_;
   std::vector<PositionalArgument> arguments_;
+  std::vector<std::string>* remaining_ = nullptr;
   std::vector<OptionName> required_;
 };
 

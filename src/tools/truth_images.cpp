@@ -28,12 +28,7 @@ Segmentation TrueLabels::Find(const cv::Mat& colour, Stamp stamp) const {
   if (labels.type() != CV_8UC1 || labels.size() != colour.size()) {
     throw InputError(file->second + " is no 8-bit image of the colour image's size");
   }
-  Segmentation segmentation;
-  segmentation.stamp = stamp;
-  segmentation.vocabulary_hash = vocabulary_.hash();
-  const cv::Mat none = cv::Mat::zeros(labels.size(), CV_8UC1);
-  segmentation.labels = {labels, none, none};
-  segmentation.confidences = {cv::Mat(labels.size(), CV_8UC1, cv::Scalar(255)), none, none};
+  const Segmentation segmentation = SureSegmentation(labels, stamp, vocabulary_.hash());
   CheckSegmentation(segmentation, vocabulary_);
   return segmentation;
 }

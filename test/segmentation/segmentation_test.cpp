@@ -30,6 +30,16 @@ TEST(ToByteTest, RoundsDown) {
   EXPECT_EQ(ToByte(1.0f), 255);
 }
 
+TEST(SureSegmentationTest, IsCompleteAndSure) {
+  const cv::Mat labels(3, 4, CV_8UC1, cv::Scalar(5));
+  const Segmentation sure = SureSegmentation(labels, Stamp{7}, Vocabulary().hash());
+  EXPECT_EQ(ErrorOf(sure), "");
+  EXPECT_EQ(sure.stamp, Stamp{7});
+  EXPECT_EQ(sure.labels[0].data, labels.data);
+  EXPECT_EQ(sure.confidences[0].at<std::uint8_t>(2, 3), 255);
+  EXPECT_EQ(sure.confidences[1].at<std::uint8_t>(2, 3), 0);
+}
+
 TEST(CheckSegmentationTest, TakesAGoodOne) {
   EXPECT_EQ(ErrorOf(Good()), "");
 }

@@ -60,6 +60,29 @@ REFUSED = [
     ("evaluate_trajectory", "{room}/groundtruth.txt {room}/groundtruth.txt --max-dt -1", "--max-dt"),
     ("evaluate_trajectory", "{room}/groundtruth.txt {room}/groundtruth.txt --rpe-seconds 1 --rpe-metres 1",
      "--rpe-seconds --rpe-metres"),
+    ("evaluate_segmentation", "--card {segmenter}", "SET"),
+    ("evaluate_segmentation", "{tmp}/empty", "--card"),
+    ("evaluate_segmentation", "--card {tmp}/missing.yaml {tmp}/empty", "{tmp}/missing.yaml"),
+    ("evaluate_segmentation", "--card {detector} {photos}", "segmentation"),
+    ("evaluate_segmentation", "--card {segmenter} {tmp}/missing", "no such folder {tmp}/missing"),
+    ("evaluate_segmentation", "--card {segmenter} {tmp}/empty", "{tmp}/empty labels"),
+    ("evaluate_segmentation", "--card {segmenter} {room}", "{room}/labels.txt"),
+    ("evaluate_segmentation", "--card {segmenter} {photos} --output {tmp}/out", "{tmp}/photos/images/a.png image"),
+    ("evaluate_segmentation", "--card {segmenter} {photos} --classes {tmp}/unknown_key.yaml", "{tmp}/unknown_key.yaml"),
+    ("evaluate_segmentation", "--card {segmenter} {photos} --split val", "--split train test"),
+    ("evaluate_segmentation", "--card {segmenter} {photos} --images -1", "--images"),
+    ("evaluate_segmentation", "--card {segmenter} {photos} --backend abacus", "abacus"),
+    ("evaluate_detection", "--card {detector}", "SET"),
+    ("evaluate_detection", "{tmp}/empty", "--card"),
+    ("evaluate_detection", "--card {segmenter} {photos}", "colour_segmenter.yaml"),
+    ("evaluate_detection", "--card {detector} {tmp}/missing", "no such folder {tmp}/missing"),
+    ("evaluate_detection", "--card {detector} {tmp}/missing.yaml", "{tmp}/missing.yaml"),
+    ("evaluate_detection", "--card {detector} {room}", "{room} boxes"),
+    ("evaluate_detection", "--card {detector} {photos} --split train", "{photos}/data.yaml train"),
+    ("evaluate_detection", "--card {detector} {photos} --output {tmp}/out", "{tmp}/photos/images/a.png image"),
+    ("evaluate_detection", "--card {detector} {photos} --classes {tmp}/missing.yaml", "{tmp}/missing.yaml"),
+    ("evaluate_detection", "--card {detector} {photos} --threshold 0", "--threshold"),
+    ("evaluate_detection", "--card {detector} {photos} --max-overlap 2", "--max-overlap"),
     ("octree_info", "", "MAP.ot"),
     ("octree_info", "{tmp}/missing.ot", "{tmp}/missing.ot"),
     ("octree_info", "{tmp}/text.bag", "{tmp}/text.bag OctoMap"),
@@ -100,6 +123,10 @@ def fixture_tmp(tmp_path, repository):
     (tmp_path / "boxes.txt").write_text("1,1,10,20,30,40,0.9,-1,-1,-1\n")
     (tmp_path / "unknown_key.yaml").write_text(
         (repository / "config/tum_freiburg1.yaml").read_text() + "focal: 500\n")
+    for name, content in (("images/a.png", "no image"), ("labels/a.png", "no image"),
+                          ("data.yaml", "names: [chair]\nval: images\n")):
+        (tmp_path / "photos" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "photos" / name).write_text(content)
     (tmp_path / "bad_trajectory.txt").write_text("1 0 0 0 0 0 0 1\n2 0 0 zero 0 0 0 1\n")
     return tmp_path
 
@@ -124,6 +151,9 @@ def test_a_full_disk_is_an_error(build_folder, program):
 def test_refuses_in_one_line(run_program, repository, room, tmp, program, arguments, words):
     places = {"tmp": tmp, "room": room.folder, "config": repository / "config/tum_freiburg1.yaml",
               "labels": repository / "config/labels.yaml", "world": repository / "config/worlds/home.yaml"}
+    networks = repository / "test/testing/networks"
+    places |= {"segmenter": networks / "colour_segmenter.yaml", "detector": networks / "block_detector.yaml",
+               "photos": tmp / "photos"}
     before = sorted(tmp.rglob("*"))
     result = run_program(program, *arguments.format(**places).split())
     assert result.returncode == 1

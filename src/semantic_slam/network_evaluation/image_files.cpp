@@ -67,7 +67,7 @@ cv::Mat ReadColourImage(const std::string& path) {
 
 cv::Mat ReadLabelImage(const std::string& path, cv::Size size) {
   const cv::Mat ids = Decode(path, cv::IMREAD_UNCHANGED);
-  if (ids.type() != CV_8UC1 && ids.type() != CV_16UC1) {
+  if (ids.empty() || (ids.type() != CV_8UC1 && ids.type() != CV_16UC1)) {
     throw InputError(path + ": expected a readable grey image of 8 or 16 bits with ids of labels");
   }
   if (ids.size() != size) {

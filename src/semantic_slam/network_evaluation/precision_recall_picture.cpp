@@ -18,7 +18,7 @@ const cv::Size kPage(1080, 800);
 const cv::Rect2d kArea(90.0, 60.0, 640.0, 640.0);
 constexpr double kLegendX = 760.0;
 constexpr std::size_t kMostCurves = 23;  // that the legend has room for, beside the mean
-constexpr int kRecallSteps = 100;        // of the mean
+constexpr int kRecallSteps = 500;        // of the mean
 const cv::Scalar kInk(40, 40, 40);
 
 struct ClassCurve {
@@ -72,10 +72,10 @@ std::vector<cv::Point2d> PointsOf(const std::vector<CurvePoint>& curve) {
 
 double PrecisionAt(double recall, const std::vector<CurvePoint>& curve,
                    const std::vector<double>& envelope) {
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (curve[i].rates.recall() >= recall) return envelope[i];
-  }
-  return 0.0;
+  const auto reached =
+      std::lower_bound(curve.begin(), curve.end(), recall,
+                       [](const CurvePoint& point, double r) { return point.rates.recall() < r; });
+  return reached == curve.end() ? 0.0 : envelope[reached - curve.begin()];
 }
 
 std::vector<cv::Point2d> MeanPoints(const std::vector<ClassCurve>& curves) {
