@@ -33,7 +33,7 @@ endfunction()
 # Where there is no simulator, takes what belongs to it out of the list of files of that name.
 function(semantic_slam_without_simulator list_name)
   if(NOT TARGET semantic_slam_simulation)
-    list(FILTER ${list_name} EXCLUDE REGEX "/(simulator_|render_sequence|draw_world)")
+    list(FILTER ${list_name} EXCLUDE REGEX "/(simulator_|render_|draw_world|background_writer)")
   endif()
   set(${list_name} ${${list_name}} PARENT_SCOPE)
 endfunction()

@@ -1,9 +1,7 @@
 // Renders a flight through a simulated world as a recorded sequence with all truth.
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,7 +12,6 @@
 #include "semantic_slam/camera/camera_config.h"
 #include "semantic_slam/common/atomic_file.h"
 #include "semantic_slam/common/check.h"
-#include "semantic_slam/common/worker.h"
 #include "semantic_slam/control/waypoint_file.h"
 #include "semantic_slam/dataset/tum_folder.h"
 #include "semantic_slam/ground_truth/truth_files.h"
@@ -24,6 +21,7 @@
 #include "semantic_slam/simulation/visible_boxes.h"
 #include "semantic_slam/worlds/world_file.h"
 #include "semantic_slam_ros/tum_bag.h"
+#include "tools/background_writer.h"
 #include "tools/command_line.h"
 #include "tools/config_folder.h"
 #include "tools/progress_bar.h"
@@ -43,7 +41,6 @@ constexpr char kPurpose[] =
     "same seed gives the same bytes.";
 
 constexpr Stamp kStart{100'000'000'000};  // of a tour
-constexpr std::size_t kWaiting = 4;       // images between rendering and writing
 
 struct Arguments {
   std::string world;
@@ -145,55 +142,6 @@ void Shorten(double duration_s, CameraPath& path) {
   cut(path.T_world_camera);
   cut(path.readings);
 }
-
-// Finds boxes, compresses and writes on a thread of its own. The first error is thrown by the next
-// call.
-class BackgroundWriter {
- public:
-  BackgroundWriter(RenderedSequenceWriter& writer, const VisibleBoxes& boxes,
-                   const CameraModel& camera)
-      : writer_(writer), boxes_(boxes), camera_(camera) {
-    worker_.emplace(kWaiting, WhenFull::kBlock, [this](const Item& item) { Write(item); });
-  }
-
-  void Push(SimulatedImage image, const Rigid3d& T_world_camera, double time_s) {
-    if (has_failed_) Finish();
-    worker_->Push({std::move(image), T_world_camera, time_s});
-  }
-
-  // Waits for what is left.
-  void Finish() {
-    worker_.reset();
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  struct Item {
-    SimulatedImage image;
-    Rigid3d T_world_camera;
-    double time_s;
-  };
-
-  void Write(const Item& item) {
-    if (has_failed_) return;
-    try {
-      const Stamp stamp = item.image.measured.stamp;
-      const VisibleObjects objects =
-          boxes_.Find(item.image.truth, item.T_world_camera, camera_, item.time_s, stamp);
-      writer_.Add(item.image, objects.detections);
-    } catch (const std::exception&) {
-      error_ = std::current_exception();
-      has_failed_ = true;
-    }
-  }
-
-  RenderedSequenceWriter& writer_;
-  const VisibleBoxes& boxes_;
-  const CameraModel& camera_;
-  std::atomic<bool> has_failed_{false};
-  std::exception_ptr error_;            // written by the worker; read after it has ended
-  std::optional<Worker<Item>> worker_;  // last: joined before anything it uses goes
-};
 
 void RenderImages(const SimulatedCamera& camera, const CameraPath& path, BackgroundWriter& writer) {
   ProgressBar progress("rendering", path.T_world_camera.size());

@@ -64,6 +64,7 @@ TumFolderWriter::TumFolderWriter(std::string folder, const CameraConfig& camera)
 
 void TumFolderWriter::Add(const RgbdImage& image) {
   AddFile(kColour, image.stamp, ".jpg", InBgr(image));
+  if (image.depth_m.empty()) return;
   AddFile(kDepth, image.depth_stamp, ".png", ToDepthPng(image.depth_m, depth_png_factor_));
 }
 

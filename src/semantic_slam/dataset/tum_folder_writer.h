@@ -21,8 +21,8 @@ class TumFolderWriter {
   // InputError naming what cannot be written, as all methods do.
   TumFolderWriter(std::string folder, const CameraConfig& camera);
 
-  // Colour (BGR) and depth; depth [m] is rounded to 1 / depth_png_factor, and 0 where there is no
-  // return or too far away for 16 bits.
+  // Colour and, unless it is empty, depth; depth [m] is rounded to 1 / depth_png_factor, and 0 where
+  // there is no return or too far away for 16 bits.
   void Add(const RgbdImage& image);
 
   // An image of another kind, 8 or 16 bits: KIND/<stamp>.png, listed in KIND.txt.

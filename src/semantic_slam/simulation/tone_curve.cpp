@@ -18,6 +18,11 @@ ToneCurve::ToneCurve() {
   }
 }
 
+float ToneCurve::LightOf(std::uint8_t pixel) {
+  const double root = std::min<double>(pixel, 254.5) / 255.0;
+  return static_cast<float>(-std::log(1.0 - root * root) / kExposure);
+}
+
 std::uint8_t ToneCurve::Byte(float light) const {
   const float root = std::sqrt(std::clamp(light / kBrightest, 0.0f, 1.0f));
   return bytes_[static_cast<int>(root * (kSteps - 1) + 0.5f)];

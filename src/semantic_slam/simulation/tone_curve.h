@@ -25,6 +25,9 @@ class ToneCurve {
     return {Byte(light[0]), Byte(light[1]), Byte(light[2])};
   }
 
+  // The light that makes such a pixel; for 255 the least that may.
+  static float LightOf(std::uint8_t pixel);
+
  private:
   static constexpr int kSteps = 4096;
   static constexpr float kBrightest = 4.0f;  // whiter than white

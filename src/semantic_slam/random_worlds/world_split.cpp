@@ -1,0 +1,65 @@
+#include "semantic_slam/random_worlds/world_split.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "semantic_slam/common/error.h"
+
+namespace semantic_slam {
+namespace {
+
+struct SplitPatterns {
+  std::vector<PatternChoice> training;
+  std::vector<PatternChoice> validation;
+};
+
+// Which split may show which pattern, by what stands there usually. "wall", "floor" and "ceiling"
+// are no patterns but the building's surfaces. What is absent has no alternative.
+const std::map<std::string, SplitPatterns>& PatternTableOfSplits() {
+  static const std::map<std::string, SplitPatterns> table{
+      {"wall", {{{"plaster", 6}, {"wallpaper", 3}, {"brick", 1}}, {{"plaster", 6}, {"tiles", 2}}}},
+      {"floor", {{{"parquet", 4}, {"carpet", 3}}, {{"tiles", 3}, {"marble", 1}, {"wood", 2}}}},
+      {"ceiling", {{{"plaster", 6}, {"ceiling_tiles", 4}}, {{"plaster", 5}, {"wood", 1}}}},
+      {"fabric", {{{"fabric", 4}, {"cloth", 1}}, {{"leather", 2}, {"carpet", 2}}}},
+      {"painting", {{{"painting", 1}}, {{"poster", 1}}}},
+  };
+  return table;
+}
+
+}  // namespace
+
+WorldSplit SplitNamed(const std::string& name) {
+  if (name == "training") return WorldSplit::kTraining;
+  if (name == "validation") return WorldSplit::kValidation;
+  throw ConfigError("a split is training or validation, not '" + name + "'");
+}
+
+std::vector<int> DesignsFor(WorldSplit split, const FurnitureKind& kind) {
+  const int count = DesignCount(kind);
+  if (count == 1) return {0};
+  const int held_out = std::max(1, count / 3);
+  const bool is_training = split == WorldSplit::kTraining;
+  std::vector<int> designs(is_training ? count - held_out : held_out);
+  std::iota(designs.begin(), designs.end(), is_training ? 0 : count - held_out);
+  return designs;
+}
+
+const std::vector<PatternChoice>& PatternsFor(WorldSplit split, const std::string& usual) {
+  static const std::vector<PatternChoice> kNoAlternative;
+  const auto found = PatternTableOfSplits().find(usual);
+  if (found == PatternTableOfSplits().end()) return kNoAlternative;
+  return split == WorldSplit::kTraining ? found->second.training : found->second.validation;
+}
+
+std::uint64_t SeedFor(WorldSplit split, RandomStream& random) {
+  return 2 * (random.Bits() >> 2) + (split == WorldSplit::kTraining ? 0 : 1);
+}
+
+double ProportionFor(WorldSplit split, const FurnitureKind& kind, RandomStream& random) {
+  const double u = random.Uniform();
+  if (DesignCount(kind) > 1) return 0.85 + 0.3 * u;
+  return split == WorldSplit::kTraining ? 0.82 + 0.18 * u : 1.02 + 0.18 * u;
+}
+
+}  // namespace semantic_slam
