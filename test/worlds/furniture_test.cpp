@@ -3,6 +3,9 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -229,13 +232,17 @@ double FreeShareBelow(const Furniture& furniture, float high_m) {
 }
 
 TEST(FurnitureTest, ThereIsSpaceBelowEveryDesign) {
-  // Up to this share of the height legs and feet alone may be; they take less than half of the
-  // plan.
-  for (const auto& [name, height_share] : {std::pair("chair", 0.3f), {"table", 0.8f}}) {
+  // Up to this share of the height there are legs and feet alone, and the drawers of a desk; this
+  // share of the plan is left free by them.
+  for (const auto& [name, height_share, free_share] : {std::tuple("chair", 0.3f, 0.5),
+                                                       {"table", 0.8f, 0.5},
+                                                       {"round_table", 0.8f, 0.5},
+                                                       {"conference_table", 0.8f, 0.5},
+                                                       {"desk", 0.6f, 0.25}}) {
     const FurnitureKind& kind = FindFurnitureKind(name);
     for (int design = 0; design < DesignCount(kind); ++design) {
       const Furniture furniture = MakeFurniture(name, RequestOf(kind, design));
-      EXPECT_GT(FreeShareBelow(furniture, height_share * furniture.size_m.z()), 0.5)
+      EXPECT_GT(FreeShareBelow(furniture, height_share * furniture.size_m.z()), free_share)
           << name << ", design " << design;
     }
   }
@@ -254,15 +261,19 @@ TEST(FurnitureTest, ADesignHasASizeOfItsOwn) {
 }
 
 TEST(FurnitureTest, ADoorOpensToItsFront) {
-  FurnitureRequest request;
-  request.numbers["open_deg"] = 90;
-  for (const double hinge_left : {0.0, 1.0}) {
-    request.numbers["hinge_left"] = hinge_left;
-    const Furniture door = MakeFurniture("door", request);
-    EXPECT_GT(BoundsOf(WholeMesh(door)).max().x(), 0.8f);
-    // Whoever goes through meets nothing.
-    EXPECT_FALSE(
-        Touches(door, {Eigen::Vector3f(-0.5f, -0.3f, 0.0f), Eigen::Vector3f(1.0f, 0.3f, 1.9f)}));
+  const FurnitureKind& kind = FindFurnitureKind("door");
+  for (int design = 0; design < DesignCount(kind); ++design) {
+    FurnitureRequest request = RequestOf(kind, design);
+    request.numbers["open_deg"] = 90;
+    for (const double hinge_left : {0.0, 1.0}) {
+      request.numbers["hinge_left"] = hinge_left;
+      const Furniture door = MakeFurniture("door", request);
+      EXPECT_GT(BoundsOf(WholeMesh(door)).max().x(), 0.8f) << DesignIn(request);
+      // Whoever goes through meets nothing.
+      EXPECT_FALSE(
+          Touches(door, {Eigen::Vector3f(-0.5f, -0.3f, 0.0f), Eigen::Vector3f(1.0f, 0.3f, 1.9f)}))
+          << DesignIn(request);
+    }
   }
 }
 
@@ -290,6 +301,17 @@ TEST(FurnitureTest, CeilingLampsCarryALight) {
   EXPECT_LT(lamp.lights[0].centre_m.z(), 0.0);  // or the lamp's own shade would hide it
   request.numbers["light"] = 0.0;
   EXPECT_TRUE(MakeFurniture("ceiling_lamp", request).lights.empty());
+}
+
+TEST(FurnitureTest, EveryDesignOfLampsOnTheCeilingShinesDownwards) {
+  for (const FurnitureKind& kind : FurnitureKinds()) {
+    if (kind.mount != Mount::kCeiling) continue;
+    for (int design = 0; design < DesignCount(kind); ++design) {
+      const Furniture lamp = MakeFurniture(kind.name, RequestOf(kind, design));
+      ASSERT_EQ(lamp.lights.size(), 1u) << kind.name << ", design " << design;
+      EXPECT_LT(lamp.lights[0].centre_m.z(), 0.0) << kind.name << ", design " << design;
+    }
+  }
 }
 
 TEST(FurnitureTest, RefusesByName) {

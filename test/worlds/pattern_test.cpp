@@ -119,8 +119,12 @@ INSTANTIATE_TEST_SUITE_P(All, RepeatingPatternTest,
 // A view of 8 m2 needs some hundred corners.
 TEST(PatternsTest, RichOnesHaveCornersForACamera) {
   for (const char* name :
-       {"brick", "cardboard", "carpet", "cloth", "cork", "curtain", "fabric", "foliage", "leather",
-        "marble", "parquet", "rug", "tiles", "wallpaper", "wood"}) {
+       {"brick",          "cardboard",     "carpet",       "carpet_tiles", "checkered_tiles",
+        "chipboard",      "cloth",         "cork",         "curtain",      "fabric",
+        "floral_curtain", "floral_fabric", "foliage",      "herringbone",  "hexagon_wallpaper",
+        "kilim",          "leather",       "marble",       "parquet",      "rug",
+        "rustic_wood",    "shag_rug",      "subway_tiles", "terrazzo",     "tiles",
+        "wallpaper",      "wood"}) {
     EXPECT_GT(CornersPerM2(Texture(MaterialOf(name)), 2.0f, 1.5f), 80.0) << name;
   }
   for (const char* name : {"books", "clock_face", "keyboard", "magazine", "newspaper", "painting",

@@ -16,7 +16,7 @@ DesignTable AllDesigns() {
   DesignTable all;
   for (auto* family : {ChairDesigns, OfficeChairDesigns, ArmchairDesigns, SofaDesigns, TableDesigns,
                        DeskDesigns, StorageDesigns, ShelfDesigns, BedDesigns, LampDesigns,
-                       OpeningDesigns, WallDesigns, PlantDesigns}) {
+                       DoorDesigns, OpeningDesigns, WallDesigns, PlantDesigns}) {
     DesignTable more = family();
     all.merge(more);
   }
@@ -33,7 +33,7 @@ void AddDesigns(FurnitureKind& kind, const DesignTable& designs) {
 std::vector<FurnitureKind> AllKinds() {
   std::vector<FurnitureKind> kinds;
   for (auto* family : {SeatingKinds, TableKinds, StorageKinds, ShelfKinds, BedKinds, KitchenKinds,
-                       WallKinds, OpeningKinds, ElectronicsKinds, LampKinds, PlantKinds,
+                       WallKinds, DoorKinds, OpeningKinds, ElectronicsKinds, LampKinds, PlantKinds,
                        ReadingKinds, TablewareKinds, HouseholdKinds, PersonKinds}) {
     std::vector<FurnitureKind> more = family();
     std::move(more.begin(), more.end(), std::back_inserter(kinds));

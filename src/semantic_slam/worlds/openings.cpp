@@ -11,155 +11,6 @@ namespace semantic_slam {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kCoverM = 0.05f;  // how far a door's casing covers the wall around its opening
-constexpr float kJambM = 0.03f;   // thickness of the lining inside
-constexpr float kLeafM = 0.04f;
-
-// The lining and the boards around it on both sides of the wall.
-void AddDoorFrame(FurnitureBuilder& b) {
-  const float x = 0.5f * b.depth();
-  const float outer = 0.5f * b.width();
-  const float opening = outer - kCoverM;
-  const float inner = opening - kJambM;
-  const float lintel = b.height() - kCoverM - kJambM;
-  for (const float side : {-1.0f, 1.0f}) {
-    const auto upright = [&](float rear, float front, float edge, float top) {
-      b.Box("frame", {rear, std::min(side * inner, side * edge), 0},
-            {front, std::max(side * inner, side * edge), top});
-    };
-    upright(-x + 0.015f, x - 0.015f, opening, lintel + kJambM);
-    upright(-x, -x + 0.015f, outer, b.height());
-    upright(x - 0.015f, x, outer, b.height());
-  }
-  b.Box("frame", {-x + 0.015f, -inner, lintel}, {x - 0.015f, inner, lintel + kJambM});
-  for (const float rear : {-x, x - 0.015f}) {
-    b.Box("frame", {rear, -inner, lintel}, {rear + 0.015f, inner, b.height()});
-  }
-}
-
-// Adds boxes in the frame of a leaf that is opened about its hinges, on the left or right as seen
-// from the front, to which it opens: x to the front, y from the hinges.
-class LeafBuilder {
- public:
-  explicit LeafBuilder(FurnitureBuilder& b)
-      : b_(b),
-        wide_m_(b.width() - 2 * kCoverM - 2 * kJambM - 0.008f),
-        high_m_(b.height() - kCoverM - kJambM - 0.004f),
-        hinge_(b.Number("hinge_left") > 0.5f ? -1.0f : 1.0f),  // left as seen is -y
-        handle_m_(std::min(0.05f, 0.5f * (b.depth() - kLeafM) - 0.005f)),
-        T_object_leaf_(Eigen::Translation3d(0, hinge_ * 0.5f * wide_m_, 0)) {
-    T_object_leaf_.rotate(
-        Eigen::AngleAxisd(hinge_ * b.Number("open_deg") * kPi / 180, Eigen::Vector3d::UnitZ()));
-  }
-
-  float wide_m() const { return wide_m_; }
-  float high_m() const { return high_m_; }
-
-  void Add(const char* part, const Eigen::Vector3f& centre, const Eigen::Vector3f& size) {
-    const Eigen::Vector3f mirrored(centre.x(), -hinge_ * centre.y(), centre.z());
-    b_.Add(part, BoxMesh(mirrored, size), T_object_leaf_);
-  }
-
-  void AddBoard() {
-    Add("leaf", {0, 0.5f * wide_m_, 0.5f * high_m_ + 0.004f}, {kLeafM, wide_m_, high_m_ - 0.008f});
-  }
-
-  // A raised field on one side (1: front), between shares of the width and of the height.
-  void AddField(float side, const Eigen::Vector2f& low, const Eigen::Vector2f& high) {
-    const Eigen::Vector2f middle = 0.5f * (low + high);
-    const Eigen::Vector2f size = high - low;
-    Add("leaf", {side * (0.5f * kLeafM + 0.003f), middle.x() * wide_m_, middle.y() * high_m_},
-        {0.006f, size.x() * wide_m_, size.y() * high_m_});
-  }
-
-  void AddLever(float side) {
-    const float lever = side * (0.5f * kLeafM + handle_m_ - 0.008f);
-    Add("handle", {0.5f * (lever + side * 0.5f * kLeafM), wide_m_ - 0.06f, 1.03f},
-        {std::abs(lever - side * 0.5f * kLeafM), 0.02f, 0.02f});
-    Add("handle", {lever, wide_m_ - 0.11f, 1.03f}, {0.016f, 0.12f, 0.022f});
-  }
-
-  // An upright bar to pull.
-  void AddBar(float side) {
-    const float bar = side * (0.5f * kLeafM + handle_m_ - 0.008f);
-    for (const float z : {0.85f, 1.35f}) {
-      Add("handle", {0.5f * (bar + side * 0.5f * kLeafM), wide_m_ - 0.08f, z},
-          {std::abs(bar - side * 0.5f * kLeafM), 0.02f, 0.02f});
-    }
-    Add("handle", {bar, wide_m_ - 0.08f, 1.1f}, {0.016f, 0.03f, 0.7f});
-  }
-
- private:
-  FurnitureBuilder& b_;
-  const float wide_m_;
-  const float high_m_;
-  const float hinge_;
-  const float handle_m_;
-  Rigid3d T_object_leaf_;
-};
-
-// Two raised panels and a handle on each side.
-void AddLeaf(FurnitureBuilder& b) {
-  LeafBuilder leaf(b);
-  const float wide = leaf.wide_m(), high = leaf.high_m();
-  leaf.AddBoard();
-  for (const float side : {-1.0f, 1.0f}) {
-    const float face = side * (0.5f * kLeafM + 0.003f);
-    leaf.Add("leaf", {face, 0.5f * wide, 0.26f * high}, {0.006f, wide - 0.24f, 0.32f * high});
-    leaf.Add("leaf", {face, 0.5f * wide, 0.71f * high}, {0.006f, wide - 0.24f, 0.42f * high});
-    leaf.AddLever(side);
-  }
-}
-
-void BuildDoor(FurnitureBuilder& b) {
-  AddDoorFrame(b);
-  if (b.Number("leaf") > 0.5f) AddLeaf(b);
-}
-
-// Flush, with an upright bar.
-void BuildFlushDoor(FurnitureBuilder& b) {
-  AddDoorFrame(b);
-  if (b.Number("leaf") < 0.5f) return;
-  LeafBuilder leaf(b);
-  leaf.AddBoard();
-  for (const float side : {-1.0f, 1.0f}) leaf.AddBar(side);
-}
-
-// Six raised fields.
-void BuildSixPanelDoor(FurnitureBuilder& b) {
-  AddDoorFrame(b);
-  if (b.Number("leaf") < 0.5f) return;
-  LeafBuilder leaf(b);
-  leaf.AddBoard();
-  for (const float side : {-1.0f, 1.0f}) {
-    for (const float left : {0.12f, 0.54f}) {
-      leaf.AddField(side, {left, 0.08f}, {left + 0.34f, 0.36f});
-      leaf.AddField(side, {left, 0.42f}, {left + 0.34f, 0.76f});
-      leaf.AddField(side, {left, 0.82f}, {left + 0.34f, 0.94f});
-    }
-    leaf.AddLever(side);
-  }
-}
-
-// Planks with gaps, held by two boards across.
-void BuildPlankDoor(FurnitureBuilder& b) {
-  AddDoorFrame(b);
-  if (b.Number("leaf") < 0.5f) return;
-  constexpr int kPlanks = 6;
-  LeafBuilder leaf(b);
-  leaf.AddBoard();
-  for (const float side : {-1.0f, 1.0f}) {
-    for (int i = 0; i < kPlanks; ++i) {
-      const float left = static_cast<float>(i) / kPlanks;
-      leaf.AddField(side, {left + 0.01f, 0.01f}, {left + 1.0f / kPlanks - 0.01f, 0.99f});
-    }
-    for (const float z : {0.2f, 0.8f}) {
-      leaf.Add("frame", {side * (0.5f * kLeafM + 0.014f), 0.5f * leaf.wide_m(), z * leaf.high_m()},
-               {0.02f, 0.96f * leaf.wide_m(), 0.12f});
-    }
-    leaf.AddLever(side);
-  }
-}
 
 // What can be seen through it is a picture, on the front; a bar in the middle and a sill.
 void BuildWindow(FurnitureBuilder& b) {
@@ -218,8 +69,8 @@ void BuildPictureWindow(FurnitureBuilder& b) {
   AddPanedWindow(b, 1, 1, 0.035f, 0.0f);
 }
 
-// Two curtains on a rod, drawn apart by `open`; folds hang straight down.
-void BuildCurtain(FurnitureBuilder& b) {
+// The height of the rod, which sticks out at the ends, on two brackets.
+float AddRod(FurnitureBuilder& b) {
   const float side = 0.5f * b.width();
   const float rod = b.height() - 0.03f;
   const float x = b.depth() - 0.05f;
@@ -228,18 +79,59 @@ void BuildCurtain(FurnitureBuilder& b) {
   for (const float y : {-side + 0.06f, side - 0.06f}) {
     b.Box("rod", {0, y - 0.01f, rod - 0.01f}, {x, y + 0.01f, rod + 0.01f});
   }
+  return rod;
+}
+
+// A curtain that covers `wide_m` from `from_m` (y) on; folds hang straight down.
+void AddFolds(FurnitureBuilder& b, float rod_m, float from_m, float wide_m) {
+  const float x = b.depth() - 0.05f;
+  const float phase = b.Random(0, 2 * kPi);
+  const int folds = std::max(2, static_cast<int>(std::lround(wide_m / 0.11f)));
+  const auto middle_m = [&](float u, float v) -> Eigen::Vector3f {
+    const float deep = 0.032f * std::sin(2 * kPi * folds * u + phase) * (0.55f + 0.45f * v);
+    return {x + deep, from_m + u * wide_m, rod_m + 0.012f - v * (rod_m + 0.012f)};
+  };
+  b.Add("curtain",
+        SheetMesh(
+            middle_m, [](float, float) { return 0.004f; }, Eigen::Vector3f::UnitX(), folds * 8, 6));
+}
+
+// Two curtains on a rod, drawn apart by `open`.
+void BuildCurtain(FurnitureBuilder& b) {
+  const float side = 0.5f * b.width();
+  const float rod_m = AddRod(b);
   const float each_m = (side - 0.02f) * (1.0f - 0.75f * b.Number("open"));
   for (const float hand : {-1.0f, 1.0f}) {
-    const float from = hand < 0 ? -side + 0.02f : side - 0.02f - each_m;
-    const float phase = b.Random(0, 2 * kPi);
-    const int folds = std::max(2, static_cast<int>(std::lround(each_m / 0.11f)));
-    const auto middle_m = [&](float u, float v) -> Eigen::Vector3f {
-      const float deep = 0.032f * std::sin(2 * kPi * folds * u + phase) * (0.55f + 0.45f * v);
-      return {x + deep, from + u * each_m, rod + 0.012f - v * (rod + 0.012f)};
-    };
-    b.Add("curtain", SheetMesh(
-                         middle_m, [](float, float) { return 0.004f; }, Eigen::Vector3f::UnitX(),
-                         folds * 8, 6));
+    AddFolds(b, rod_m, hand < 0 ? -side + 0.02f : side - 0.02f - each_m, each_m);
+  }
+  b.FitToSize();
+}
+
+// A single one, drawn to its left.
+void BuildOneCurtain(FurnitureBuilder& b) {
+  const float side = 0.5f * b.width();
+  const float rod_m = AddRod(b);
+  const float wide_m = (b.width() - 0.04f) * (1.0f - 0.75f * b.Number("open"));
+  AddFolds(b, rod_m, side - 0.02f - wide_m, wide_m);
+  b.FitToSize();
+}
+
+// Cloth that is drawn up by cords: smooth below, in broad pleats above, as far as it is open.
+void BuildRomanShade(FurnitureBuilder& b) {
+  const float side = 0.5f * b.width();
+  const float rail_m = 0.05f;
+  const int pleats = 2 + static_cast<int>(std::lround(4 * b.Number("open")));
+  const float pleated_m = 0.09f * pleats;
+  b.Box("rod", {0, -side, b.height() - rail_m}, {0.5f * b.depth(), side, b.height()});
+  const float top = b.height() - rail_m;
+  const float low = std::max(top - pleated_m, 0.1f);
+  b.Box("curtain", {0.02f, -side + 0.01f, 0}, {0.028f, side - 0.01f, low});
+  for (int i = 0; i < pleats; ++i) {
+    const float z = low + (top - low) * (static_cast<float>(i) + 0.5f) / static_cast<float>(pleats);
+    const float radius_m = 0.5f * (top - low) / static_cast<float>(pleats);
+    b.Add("curtain",
+          RoundedBoxMesh({0.5f * b.depth(), 0, z}, {b.depth(), b.width() - 0.02f, 2.2f * radius_m},
+                         0.45f * std::min(b.depth(), 2 * radius_m)));
   }
   b.FitToSize();
 }
@@ -267,45 +159,35 @@ void BuildBlinds(FurnitureBuilder& b) {
 std::vector<FurnitureKind> OpeningKinds() {
   const Material white = MakeMaterial("wood", {228, 226, 220}, 0.2f);
   const Material steel = MakeMaterial("metal", {150, 150, 150}, 0.5f);
-  return {
-      {"door",
-       "door",
-       Mount::kFloor,
-       {0.15f, 1.1f, 2.1f},
-       {{"frame", white}, {"leaf", MakeMaterial("wood", {178, 134, 88}, 0.2f)}, {"handle", steel}},
-       {{"leaf", {1, 0, 1}}, {"open_deg", {0, 0, 95}}, {"hinge_left", {1, 0, 1}}},
-       BuildDoor},
-      {"window",
-       "window",
-       Mount::kFloor,
-       {0.14f, 1.4f, 1.3f},
-       {{"frame", white}, {"view", MakeMaterial("window_view", {150, 190, 225}, 0.4f, 0.8f)}},
-       {},
-       BuildWindow},
-      {"curtain",
-       "curtain",
-       Mount::kWall,
-       {0.13f, 2.0f, 2.2f},
-       {{"rod", steel}, {"curtain", MakeMaterial("curtain", {170, 150, 120})}},
-       {{"open", {0.6, 0, 1}}},
-       BuildCurtain},
-      {"blinds",
-       "blinds",
-       Mount::kWall,
-       {0.06f, 1.4f, 1.3f},
-       {{"slats", MakeMaterial("plastic", {222, 218, 206}, 0.2f)},
-        {"cords", MakeMaterial("cloth", {200, 200, 195})}},
-       {},
-       BuildBlinds}};
+  return {{"window",
+           "window",
+           Mount::kFloor,
+           {0.14f, 1.4f, 1.3f},
+           {{"frame", white}, {"view", MakeMaterial("window_view", {150, 190, 225}, 0.4f, 0.8f)}},
+           {},
+           BuildWindow},
+          {"curtain",
+           "curtain",
+           Mount::kWall,
+           {0.13f, 2.0f, 2.2f},
+           {{"rod", steel}, {"curtain", MakeMaterial("curtain", {170, 150, 120})}},
+           {{"open", {0.6, 0, 1}}},
+           BuildCurtain},
+          {"blinds",
+           "blinds",
+           Mount::kWall,
+           {0.06f, 1.4f, 1.3f},
+           {{"slats", MakeMaterial("plastic", {222, 218, 206}, 0.2f)},
+            {"cords", MakeMaterial("cloth", {200, 200, 195})}},
+           {},
+           BuildBlinds}};
 }
 
 DesignTable OpeningDesigns() {
-  return {{"door",
-           {{BuildFlushDoor, {0.15f, 1.1f, 2.1f}},
-            {BuildSixPanelDoor, {0.15f, 1.1f, 2.1f}},
-            {BuildPlankDoor, {0.15f, 1.1f, 2.1f}}}},
-          {"window",
-           {{BuildMuntinWindow, {0.14f, 1.4f, 1.3f}}, {BuildPictureWindow, {0.14f, 1.6f, 1.4f}}}}};
+  return {{"window",
+           {{BuildMuntinWindow, {0.14f, 1.4f, 1.3f}}, {BuildPictureWindow, {0.14f, 1.6f, 1.4f}}}},
+          {"curtain",
+           {{BuildOneCurtain, {0.13f, 1.4f, 2.3f}}, {BuildRomanShade, {0.08f, 1.2f, 1.5f}}}}};
 }
 
 }  // namespace semantic_slam

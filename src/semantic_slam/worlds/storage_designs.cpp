@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "semantic_slam/worlds/cabinet_parts.h"
 #include "semantic_slam/worlds/furniture_builder.h"
@@ -204,6 +205,62 @@ void BuildMediaRack(FurnitureBuilder& b) {
         {0.7f * x, -0.3f * y, 0.08f * b.height() + 0.11f});  // a player
 }
 
+// A drum with a drawer in it, on three legs.
+void BuildRoundNightStand(FurnitureBuilder& b) {
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3f out =
+        Turned(2.0944f * static_cast<float>(i)).linear().col(0).cast<float>();
+    AddTube(
+        b, "body",
+        {0.19f * out + Eigen::Vector3f(0, 0, 0.012f), 0.13f * out + Eigen::Vector3f(0, 0, 0.3f)},
+        0.014f);
+  }
+  b.Add("body", CylinderMesh({0, 0, 0.28f}, 0.2f, 0.2f, 0.2f, 32));
+  b.Add("top", CylinderMesh({0, 0, 0.48f}, 0.215f, 0.215f, 0.018f, 32));
+  AddPadding(b, "fronts", {0.1f, -0.095f, 0.31f}, {0.205f, 0.095f, 0.46f}, 0.008f);
+  b.Add("handles", EllipsoidMesh({0.212f, 0, 0.39f}, {0.012f, 0.016f, 0.016f}, 10));
+  b.FitToSize();
+}
+
+// An open box on a frame.
+void BuildOpenNightStand(FurnitureBuilder& b) {
+  const float y = 0.5f * b.width();
+  const float legs_m = 0.4f * b.height();
+  for (const float x : {-0.45f * b.depth(), 0.38f * b.depth()}) {
+    for (const float right : {-y, y - 0.02f}) {
+      b.Box("handles", {x, right, 0}, {x + 0.02f, right + 0.02f, legs_m});
+    }
+    b.Box("handles", {x, -y + 0.02f, 0}, {x + 0.02f, y - 0.02f, 0.02f});
+  }
+  AddNiche(b, {legs_m, b.height() - kBoardM, -y, y});
+  b.Box("fronts", {-0.4f * b.depth(), -0.3f * b.width(), legs_m + kBoardM},
+        {0.3f * b.depth(), 0.2f * b.width(), legs_m + kBoardM + 0.04f});  // a book
+  AddTopBoard(b, kBoardM);
+  b.FitToSize();
+}
+
+// Drawers side by side in pairs, wider than high.
+void BuildLateralFile(FurnitureBuilder& b) {
+  AddCarcass(b, 0, b.height());
+  const int rows = std::max(2, static_cast<int>(std::lround(b.height() / 0.36f)));
+  AddDrawers(b, {0.05f, b.height() - 0.02f, -0.5f * b.width(), 0}, rows);
+  AddDrawers(b, {0.05f, b.height() - 0.02f, 0, 0.5f * b.width()}, rows);
+}
+
+// Low, on castors, to stand below a desk.
+void BuildRollingPedestal(FurnitureBuilder& b) {
+  const float low = 0.07f;
+  for (const float x : {-0.4f * b.depth(), 0.32f * b.depth()}) {
+    for (const float y : {-0.38f * b.width(), 0.38f * b.width()}) {
+      b.Add("handles", EllipsoidMesh({x, y, 0.035f}, {0.035f, 0.018f, 0.036f}, 12));
+    }
+  }
+  AddCarcass(b, low, b.height());
+  AddDrawers(b, WholeFront(b, 0.5f * b.height(), b.height() - 0.01f), 2);
+  AddDrawers(b, WholeFront(b, low, 0.5f * b.height()), 1);
+  b.FitToSize();
+}
+
 }  // namespace
 
 DesignTable StorageDesigns() {
@@ -218,6 +275,11 @@ DesignTable StorageDesigns() {
         {BuildHighboard, {0.42f, 1.1f, 1.3f}}}},
       {"wardrobe",
        {{BuildSlidingWardrobe, {0.66f, 2.0f, 2.2f}}, {BuildPanelledWardrobe, {0.6f, 1.25f, 2.0f}}}},
+      {"night_stand",
+       {{BuildOpenNightStand, {0.4f, 0.45f, 0.55f}},
+        {BuildRoundNightStand, {0.44f, 0.44f, 0.52f}}}},
+      {"filing_cabinet",
+       {{BuildLateralFile, {0.5f, 0.95f, 1.1f}}, {BuildRollingPedestal, {0.6f, 0.42f, 0.62f}}}},
       {"tv_stand",
        {{BuildOpenBench, {0.42f, 1.5f, 0.48f}},
         {BuildNicheSideboard, {0.4f, 1.8f, 0.52f}},
