@@ -82,7 +82,7 @@ TEST(FurnitureFileTest, RefusesByFileLineAndKey) {
   ExpectOneLineWith(error_of("  - {kind: stool, at: [1, 1], colour: red}\n"),
                     {"w.yaml:2: unknown key furniture/0/colour"});
   ExpectOneLineWith(error_of("  - {kind: desk, at: [1, 1], numbers: {doors: 1}}\n"),
-                    {"w.yaml:2: unknown key furniture/0/numbers/doors, expected one of: drawers"});
+                    {"w.yaml:2: unknown key furniture/0/numbers/doors, expected one of: design, drawers"});
   EXPECT_EQ(error_of("  - {kind: desk, at: [1, 1], numbers: {drawers: 2}}\n"),
             "w.yaml:2: furniture/0: desk's drawers = 2, but must be in [0, 1]");
   ExpectOneLineWith(error_of("  - {kind: desk, at: [1, 1], materials: {handle: [1, 2, 3]}}\n"),

@@ -56,7 +56,7 @@ TEST_F(MaterialFileTest, RefusesByFileLineAndKey) {
             "w.yaml:1: top = [1, 2, 300], but must be three numbers from 0 to 255");
   EXPECT_EQ(ErrorOf("{gloss: 3}"), "w.yaml:1: top/gloss = 3, but must be in [0, 1]");
   ExpectOneLineWith(ErrorOf("{pattern: fur}"),
-                    {"w.yaml:1: top/pattern = fur, but must be one of: books, brick,"});
+                    {"w.yaml:1: top/pattern = fur, but must be one of: banded_curtain, books, brick,"});
   ExpectOneLineWith(ErrorOf("{colour: [1, 2, 3]}"), {"w.yaml:1: unknown key top/colour"});
   EXPECT_EQ(WorldText().ErrorOf("materials: [1]\n"),
             "w.yaml:1: materials = [1], but must be a mapping");

@@ -183,7 +183,7 @@ TEST(TextureTest, TakesAPictureOfOnesOwn) {
 TEST(TextureTest, PatternNamesAreSorted) {
   const std::vector<std::string> names = PatternNames();
   EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
-  EXPECT_EQ(names.size(), 33u);
+  EXPECT_EQ(names.size(), 59u);
 }
 
 }  // namespace
