@@ -1,12 +1,12 @@
 #include "tools/truth_images.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include <opencv2/imgcodecs.hpp>
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/dataset/tum_images.h"
+#include "semantic_slam/network_evaluation/box_file.h"
 
 namespace semantic_slam {
 
@@ -40,22 +40,14 @@ TrueBoxes::TrueBoxes(const std::string& folder, const LabelVocabulary& vocabular
 
 Detections TrueBoxes::Find(const cv::Mat& colour, Stamp stamp) const {
   const std::string path = (fs::path(folder_) / (ToString(stamp) + ".txt")).string();
-  std::ifstream file(path);
-  if (!file) throw InputError("there are no true boxes at " + ToString(stamp) + " s");
+  if (!fs::exists(path)) throw InputError("there are no true boxes at " + ToString(stamp) + " s");
   Detections detections;
   detections.stamp = stamp;
   detections.vocabulary_hash = vocabulary_.hash();
   detections.image_size = colour.size();
-  int label;
-  float x, y, width, height;  // shares of the image; x, y of the middle
-  while (file >> label >> x >> y >> width >> height) {
-    const float w = width * static_cast<float>(colour.cols);
-    const float h = height * static_cast<float>(colour.rows);
-    const cv::Rect2f box(x * static_cast<float>(colour.cols) - 0.5f * w - 0.5f,
-                         y * static_cast<float>(colour.rows) - 0.5f * h - 0.5f, w, h);
-    detections.boxes.push_back({static_cast<LabelId>(label), 1.0f, box});
+  for (const FileBox& box : ReadBoxFile(path, colour.size())) {
+    detections.boxes.push_back({static_cast<LabelId>(box.class_number), 1.0f, box.box});
   }
-  if (!file.eof()) throw InputError(path + ": expected lines of class x y width height");
   CheckDetections(detections, vocabulary_);
   return detections;
 }
