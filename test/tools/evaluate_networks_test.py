@@ -1,4 +1,4 @@
-"""evaluate_segmentation, evaluate_detection: networks that are right on one half are half right, and say so in files."""
+"""evaluate_segmentation, evaluate_detection: a network that is right about one half is half right, and files say so."""
 
 import json
 import struct
@@ -59,7 +59,8 @@ def test_segmentation_is_scored_by_pixel(run_program, repository, photos, tmp_pa
     assert result["classes"]["wall"]["iou"] is None
     assert result["time"]["images"] == 2
     assert "75.0 %" in table
-    assert {path.name for path in (tmp_path / "out").iterdir()} == {"segmentation.json", "confusion.png", "examples.png"}
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {
+        "segmentation.json", "confusion.png", "examples.png"}
     assert json.loads((tmp_path / "out/segmentation.json").read_text())["pixel_accuracy"] == 0.75
 
 

@@ -60,7 +60,7 @@ YoloData ReadYoloData(const std::string& path, const std::string& split) {
   YoloData data;
   data.names = ReadNames(reader.Require<YAML::Node>("names"), path);
   const auto name = reader.Require<std::string>(split);
-  std::string base = ".";
+  std::string base;
   reader.Read("path", base);
   const fs::path folder = fs::path(path).parent_path() / base;
   data.images = ListImages(FindSplit(path, folder, split, name));

@@ -12,9 +12,9 @@ struct YoloData {
 };
 
 // Reads `names` (a list, or a mapping of numbers) and the split: a folder of images, or a .txt file
-// that lists them, looked for in the folder that `path:` names, beside the file, and there without
-// a leading "../", as Roboflow writes it. Keys that only training needs are passed over. Throws
-// ConfigError naming the file if either is missing or not understood.
+// that lists them, looked for in the folder that `path:` names if it does, beside the file, and there
+// without a leading "../", as Roboflow writes it. Keys that only training needs are passed over.
+// Throws ConfigError naming the file if either is missing or not understood.
 YoloData ReadYoloData(const std::string& path, const std::string& split);
 
 }  // namespace semantic_slam
