@@ -161,7 +161,7 @@ class WorldPhotographer {
     const RenderedView view = renderer_.Render(T_world_camera, preview_camera_, 0.0);
     const ViewContent content = ContentOf(view, *world_);
     if (content.near_building > 0.5) return Chance(random_, 0.05);
-    return content.building < 0.85 || Chance(random_, 0.15);
+    return content.building < 0.8 || Chance(random_, 0.15);
   }
 
   // The camera sets its exposure, more or less, and its white balance.

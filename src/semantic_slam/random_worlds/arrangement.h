@@ -21,6 +21,7 @@ struct Item {
   std::optional<std::size_t> on;   // index of the item that it lies on: on its highest surface
   std::optional<double> height_m;  // above the foot of that, instead: on a seat
   bool is_flat = false;            // a rug: furniture stands on it
+  bool is_optional = false;        // left out, with what lies on it, where it does not fit
 
   float depth_m() const { return request.size_m->x(); }
   float width_m() const { return request.size_m->y(); }

@@ -121,6 +121,7 @@ Arrangement RowAtWall(PieceMaker& maker, const std::string& kind, int most) {
   for (int i = 0; i < count; ++i) {
     item.at_m.y() = (i - 0.5 * (count - 1)) * pitch_m;
     item.request.seed += 4 * static_cast<std::uint64_t>(i);  // of the same split
+    item.is_optional = i > 0;
     const std::size_t piece = arrangement.Add(item);
     if (!ThingsOn(kind).empty()) AddClutter(maker, ThingsOn(kind), 2, piece, arrangement);
   }
@@ -131,6 +132,7 @@ void AddChairsAround(PieceMaker& maker, const Item& table, const std::string& ch
                      bool at_ends, Arrangement& arrangement) {
   RandomStream& random = maker.random();
   Item chair = maker.Make(chair_kind);
+  chair.is_optional = true;
   const bool has_arms = chair_kind != "chair" && chair_kind != "stool";
   const double room_m = chair.width_m() + 0.12;
   const int per_side = std::max(1, static_cast<int>((table.width_m() - 0.1) / room_m));

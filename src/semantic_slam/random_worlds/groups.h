@@ -35,7 +35,7 @@ Arrangement DeskInRoom(PieceMaker& maker);
 // Two or four desks face to face.
 Arrangement DeskBlock(PieceMaker& maker);
 Arrangement ConferenceGroup(PieceMaker& maker);
-// On a wall or, if its design stands, on the floor.
+// On a wall or on a stand.
 Arrangement Whiteboard(PieceMaker& maker);
 
 // A bed with night stands, pillows, a picture above.
@@ -49,7 +49,7 @@ Arrangement RowAtWall(PieceMaker& maker, const std::string& kind, int most);
 void AddClutter(PieceMaker& maker, const std::vector<std::string>& kinds, int most,
                 std::size_t support, Arrangement& arrangement);
 
-// Puts chairs of one sort around a table at the origin. `gap_m`: usual distance from its edge.
+// Puts chairs of one sort around a table at the origin, some at its ends if `at_ends`.
 void AddChairsAround(PieceMaker& maker, const Item& table, const std::string& chair_kind,
                      bool at_ends, Arrangement& arrangement);
 

@@ -30,6 +30,7 @@ void AddBedding(PieceMaker& maker, std::size_t bed, Arrangement& arrangement) {
 
 void AddNightStand(PieceMaker& maker, const Item& bed, double side, Arrangement& arrangement) {
   Item stand = maker.Make("night_stand");
+  stand.is_optional = true;
   stand.at_m = {kGapToWallM + 0.5 * stand.depth_m(),
                 side * (0.5 * (bed.width_m() + stand.width_m()) + 0.06)};
   const std::size_t top = arrangement.Add(stand);
@@ -39,6 +40,7 @@ void AddNightStand(PieceMaker& maker, const Item& bed, double side, Arrangement&
 // Above a piece at the wall.
 void AddPictureAbove(PieceMaker& maker, double y_m, double low_m, Arrangement& arrangement) {
   Item picture = maker.Make(Chance(maker.random(), 0.7) ? "picture" : "poster");
+  picture.is_optional = true;
   picture.at_m = {0, y_m};
   picture.z_m = low_m;
   arrangement.Add(picture);
@@ -46,6 +48,7 @@ void AddPictureAbove(PieceMaker& maker, double y_m, double low_m, Arrangement& a
 
 void AddWallCabinet(PieceMaker& maker, const Item& below, Arrangement& arrangement) {
   Item cabinet = maker.MakeOfSize("wall_cabinet", {0.34f, below.width_m(), 0.68f});
+  cabinet.is_optional = true;
   cabinet.at_m = {0, below.at_m.y()};
   cabinet.z_m = 1.48;
   arrangement.Add(cabinet);
@@ -78,6 +81,7 @@ Arrangement BedGroup(PieceMaker& maker) {
     rug.at_m = {bed.at_m.x() + 0.4, 0};
     rug.yaw_rad = M_PI / 2;
     rug.is_flat = true;
+    rug.is_optional = true;
     arrangement.Add(rug);
   }
   return arrangement;
@@ -105,6 +109,7 @@ Arrangement KitchenRow(PieceMaker& maker) {
     if (kind == "counter") {
       item.request.size_m->y() = static_cast<float>(Between(random, 1.0, 1.9));
     }
+    item.is_optional = left_m > 0.0;
     item.at_m = {kGapToWallM + 0.5 * item.depth_m(), left_m + 0.5 * item.width_m()};
     left_m += item.width_m() + 0.01;
     const std::size_t index = arrangement.Add(item);

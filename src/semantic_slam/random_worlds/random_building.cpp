@@ -46,7 +46,7 @@ bool CutLargest(RandomStream& random, Areas& areas) {
 Areas PlanAreas(RandomStream& random) {
   const int rooms =
       WeightedOneOf(random, std::vector<RoomCount>{{1, 4}, {2, 3}, {3, 2}, {4, 1}}).rooms;
-  const double area_m2 = rooms * Between(random, 11.0, 26.0);
+  const double area_m2 = rooms * Between(random, 14.0, 32.0);
   const double shape = Between(random, 0.62, 1.0);
   const double width_m = std::max(3.0, std::sqrt(area_m2 * shape));
   Areas areas;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <map>
 #include <string>
 
 #include "semantic_slam/random_worlds/choice.h"
@@ -29,18 +29,35 @@ Eigen::AlignedBox3d BoundsOf(const WorldObject& object) {
   return bounds;
 }
 
+// How often a class is looked at: the furniture of the thesis' Table 4.1 most, what hangs on walls,
+// and is seen anyhow, least.
+double WeightOf(const std::string& label) {
+  static const std::map<std::string, double> weights{
+      {"chair", 3},     {"coffee_table", 5}, {"conference_table", 4},
+      {"sofa", 5},      {"whiteboard", 3},   {"desk", 4},
+      {"bed", 2.5},     {"bookshelf", 2},    {"table", 2},
+      {"door", 0.5},    {"window", 0.5},     {"picture", 0.3},
+      {"curtain", 0.5}, {"blinds", 0.3}};
+  const auto found = weights.find(label);
+  return found == weights.end() ? 1.0 : found->second;
+}
+
 }  // namespace
 
 RandomCameras::RandomCameras(const World& world, const LabelVocabulary& vocabulary,
                              std::uint64_t seed)
     : clearance_(world), random_(seed) {
+  std::map<LabelId, std::vector<Target>> by_label;
   for (const WorldObject& object : world.objects) {
     const Eigen::AlignedBox3d bounds = BoundsOf(object);
     if (object.is_structure) {
       if (object.label == vocabulary.Find("floor")) rooms_m_.push_back(bounds);
     } else if (0.5 * bounds.diagonal().norm() > kSmallestM) {
-      targets_[object.label].push_back({bounds.center(), 0.5 * bounds.diagonal().norm()});
+      by_label[object.label].push_back({bounds.center(), 0.5 * bounds.diagonal().norm()});
     }
+  }
+  for (const auto& [label, of_class] : by_label) {
+    targets_.push_back({of_class, WeightOf(vocabulary[label].name)});
   }
 }
 
@@ -76,21 +93,24 @@ Rigid3d RandomCameras::Pose(const Eigen::Vector3d& position_m, double yaw_rad, d
   return T;
 }
 
+// Towards somewhere in the same room, so that it is not of the next wall alone.
 std::optional<Rigid3d> RandomCameras::LookAbout() {
   if (rooms_m_.empty()) return std::nullopt;
   const Eigen::AlignedBox3d& room = OneOf(random_, rooms_m_);
-  const Eigen::Vector3d position_m(Between(random_, room.min().x(), room.max().x()),
-                                   Between(random_, room.min().y(), room.max().y()),
-                                   Between(random_, kLowestM, kHighestM));
+  const auto somewhere = [&] {
+    return Eigen::Vector2d(Between(random_, room.min().x(), room.max().x()),
+                           Between(random_, room.min().y(), room.max().y()));
+  };
+  const Eigen::Vector2d from_m = somewhere(), towards = somewhere() - from_m;
+  const Eigen::Vector3d position_m(from_m.x(), from_m.y(), Between(random_, kLowestM, kHighestM));
   if (!IsFree(position_m)) return std::nullopt;
-  const double pitch_deg = std::clamp(-9.0 + 11.0 * random_.Gaussian(), -35.0, 15.0);
-  return Pose(position_m, Between(random_, -M_PI, M_PI), pitch_deg * kDegree);
+  const double pitch_deg =
+      std::clamp(-8.0 * (position_m.z() - 0.3) + 10.0 * random_.Gaussian(), -35.0, 15.0);
+  return Pose(position_m, std::atan2(towards.y(), towards.x()), pitch_deg * kDegree);
 }
 
 std::optional<Rigid3d> RandomCameras::LookAtObject() {
-  const auto of_class =
-      std::next(targets_.begin(), WholeBetween(random_, 0, static_cast<int>(targets_.size()) - 1));
-  const Target& target = OneOf(random_, of_class->second);
+  const Target& target = OneOf(random_, WeightedOneOf(random_, targets_).of_class);
   const double away_m = target.radius_m * Between(random_, 0.8, 2.2) + kClearanceM;
   const double around_rad = Between(random_, -M_PI, M_PI);
   Eigen::Vector3d position_m =

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -14,8 +13,8 @@
 namespace semantic_slam {
 
 // Finds places for cameras in a world: free ones, 0.4 to 2 m above the floor, that look about
-// anyhow or at an object, of each class as often. It looks at a world that must outlive it. Not
-// thread-safe.
+// anyhow or at an object, of furniture's classes more often than of others. It looks at a world
+// that must outlive it. Not thread-safe.
 class RandomCameras {
  public:
   RandomCameras(const World& world, const LabelVocabulary& vocabulary, std::uint64_t seed);
@@ -29,6 +28,10 @@ class RandomCameras {
     Eigen::Vector3d centre_m;
     double radius_m;
   };
+  struct Targets {
+    std::vector<Target> of_class;
+    double weight;
+  };
 
   std::optional<Rigid3d> LookAbout();
   std::optional<Rigid3d> LookAtObject();
@@ -38,7 +41,7 @@ class RandomCameras {
   const Clearance clearance_;
   RandomStream random_;
   std::vector<Eigen::AlignedBox3d> rooms_m_;
-  std::map<LabelId, std::vector<Target>> targets_;
+  std::vector<Targets> targets_;
 };
 
 }  // namespace semantic_slam

@@ -54,6 +54,11 @@ const std::map<std::string, std::vector<Palette>>& Palettes() {
       {"ceiling/plaster", {{9, {25, 70}, {0, 0.06}, {0.85, 0.98}}, pastel}},
       {"ceiling/ceiling_tiles", {{5, {25, 70}, {0, 0.05}, {0.8, 0.95}}, grey}},
       {"floor/carpet", {grey, {3, kAnyHue, {0.05, 0.45}, {0.2, 0.7}}, stone}},
+      {"wall", {white, pastel, strong}},
+      {"ceiling", {white, pastel}},
+      {"floor", {stone, grey}},
+      {"herringbone", {brown, grey}},
+      {"panelling", {white, brown, grey}},
       {"brick", {brick, grey, white}},
       {"parquet", {brown, grey}},
       {"wood", {brown, white, grey, strong, dark}},
@@ -109,9 +114,16 @@ std::array<std::uint8_t, 3> Shaded(const std::array<std::uint8_t, 3>& rgb, Rando
   return shaded;
 }
 
+// nullptr if there are none.
 const std::vector<Palette>* FindPalettes(const std::string& name) {
   const auto found = Palettes().find(name);
   return found == Palettes().end() ? nullptr : &found->second;
+}
+
+// Of a pattern, else of what stands there usually.
+const std::vector<Palette>* PalettesFor(const std::string& pattern, const std::string& usual) {
+  const std::vector<Palette>* palettes = FindPalettes(pattern);
+  return palettes != nullptr ? palettes : FindPalettes(usual);
 }
 
 void Recolour(const std::vector<Palette>* palettes, Material& material, RandomStream& random) {
@@ -141,7 +153,7 @@ Material RandomMaterial(WorldSplit split, const Material& usual, RandomStream& r
   Material material = usual;
   material.pattern = PatternInPlaceOf(split, usual.pattern, random);
   if (usual.brightness == 0.0f || usual.pattern != "plastic") {  // milk glass of lamps stays white
-    Recolour(FindPalettes(material.pattern), material, random);
+    Recolour(PalettesFor(material.pattern, usual.pattern), material, random);
   }
   if (usual.brightness > 0.0f && usual.pattern == "fabric") {  // lampshades are light
     for (std::uint8_t& channel : material.rgb) channel = std::max<std::uint8_t>(channel, 150);
@@ -153,7 +165,8 @@ Material RandomMaterial(WorldSplit split, const Material& usual, RandomStream& r
 Material RandomSurface(WorldSplit split, const std::string& surface, RandomStream& random) {
   Material material = MakeMaterial(PatternInPlaceOf(split, surface, random), {200, 200, 200});
   const std::vector<Palette>* palettes = FindPalettes(surface + "/" + material.pattern);
-  Recolour(palettes != nullptr ? palettes : FindPalettes(material.pattern), material, random);
+  if (palettes == nullptr) palettes = PalettesFor(material.pattern, surface);
+  Recolour(palettes, material, random);
   Vary(split, material, random);
   if (surface != "floor") material.gloss *= 0.3f;
   return material;

@@ -12,6 +12,8 @@ namespace {
 constexpr int kTries = 40;
 constexpr double kMostFilled = 0.5;  // of the floor
 constexpr double kSlackM = 0.03;     // between pieces of different arrangements
+constexpr double kLevelM = 0.004;    // tops are level within that
+constexpr double kLowestTopM = 0.2;  // nothing is put on what is lower
 constexpr double kStraight = 0.6;    // of what stands freely: along the walls
 
 Rigid3d Upright(const Eigen::Vector2d& at_m, double yaw_rad, double z_m = 0.0) {
@@ -70,6 +72,22 @@ UprightBox AccessOf(const Arrangement& arrangement, const Rigid3d& T_world_arran
   return box;
 }
 
+bool IsSoft(const Item& item) {
+  return item.kind == "pillow" || item.kind == "clothes";
+}
+
+// Of the top of a piece below all of an item that lies on it; nullopt if it is not level.
+std::optional<double> LevelTopAt(const WorldObject& support, const Item& item) {
+  Item on_plan = item;
+  on_plan.on.reset();
+  const std::optional<double> middle_m = TopAt(support, item.at_m);
+  for (const Eigen::Vector2d& corner : BoxOf(on_plan, Rigid3d::Identity()).Corners()) {
+    const std::optional<double> top_m = TopAt(support, corner);
+    if (!middle_m || !top_m || std::abs(*top_m - *middle_m) > kLevelM) return std::nullopt;
+  }
+  return middle_m;
+}
+
 }  // namespace
 
 RoomFurnisher::RoomFurnisher(const Building& building, const Room& room, RandomStream& random,
@@ -101,15 +119,29 @@ Rigid3d RoomFurnisher::TryFloor() {
   return Upright(at_m, yaw_rad);
 }
 
+bool RoomFurnisher::Fits(const Item& item, const Rigid3d& T_world_arrangement) const {
+  const UprightBox box = BoxOf(item, T_world_arrangement);
+  return item.is_flat ? space_.IsPassable(box) : space_.Fits(box);
+}
+
 bool RoomFurnisher::FitsAt(const Arrangement& arrangement,
                            const Rigid3d& T_world_arrangement) const {
   for (const Item& item : arrangement.items) {
-    if (item.on) continue;
-    const UprightBox box = BoxOf(item, T_world_arrangement);
-    if (item.is_flat ? !space_.IsPassable(box) : !space_.Fits(box)) return false;
+    if (item.on || item.is_optional) continue;
+    if (!Fits(item, T_world_arrangement)) return false;
   }
   return arrangement.access_m == 0.0 ||
          space_.IsPassable(AccessOf(arrangement, T_world_arrangement));
+}
+
+// By item.
+std::vector<bool> RoomFurnisher::WhatFits(const Arrangement& arrangement,
+                                          const Rigid3d& T_world_arrangement) const {
+  std::vector<bool> fits;
+  for (const Item& item : arrangement.items) {
+    fits.push_back(item.on ? fits[*item.on] : !item.is_optional || Fits(item, T_world_arrangement));
+  }
+  return fits;
 }
 
 bool RoomFurnisher::Place(const Arrangement& arrangement) {
@@ -132,24 +164,32 @@ bool RoomFurnisher::PlaceAt(const Arrangement& arrangement, const Rigid3d& T_wor
 }
 
 void RoomFurnisher::Furnish(const Arrangement& arrangement, const Rigid3d& T_world_arrangement) {
-  std::vector<std::string> names;
-  for (const Item& item : arrangement.items) {
-    Rigid3d T = T_world_arrangement * Upright(item.at_m, item.yaw_rad, item.z_m);
+  const std::vector<bool> fits = WhatFits(arrangement, T_world_arrangement);
+  std::vector<std::string> names(arrangement.items.size());
+  for (std::size_t i = 0; i < arrangement.items.size(); ++i) {
+    const Item& item = arrangement.items[i];
+    if (!fits[i]) continue;
+    std::optional<Rigid3d> T = T_world_arrangement * Upright(item.at_m, item.yaw_rad, item.z_m);
     if (item.on) {
       T = PoseOnTop(item, names[*item.on]);
+      if (!T) continue;
     } else if (!item.is_flat) {
       space_.Take(Enlarged(BoxOf(item, T_world_arrangement), kSlackM));
     }
-    names.push_back(assembly_.FreeName(item.kind));
-    assembly_.Add(names.back(), MakeFurniture(item.kind, item.request), T);
+    names[i] = assembly_.FreeName(item.kind);
+    assembly_.Add(names[i], MakeFurniture(item.kind, item.request), *T);
   }
   if (arrangement.access_m > 0.0) space_.KeepFree(AccessOf(arrangement, T_world_arrangement));
 }
 
-Rigid3d RoomFurnisher::PoseOnTop(const Item& item, const std::string& support_name) const {
+// nullopt if nothing level is there: beside an oblong top, on a lower shelf.
+std::optional<Rigid3d> RoomFurnisher::PoseOnTop(const Item& item,
+                                                const std::string& support_name) const {
   const WorldObject& support = *assembly_.Find(support_name);
-  const double z_m = item.height_m ? *item.height_m : TopAt(support, item.at_m).value_or(0.0);
-  return support.T_world_object * Upright(item.at_m, item.yaw_rad, z_m);
+  std::optional<double> z_m = item.height_m;
+  if (!z_m) z_m = IsSoft(item) ? TopAt(support, item.at_m) : LevelTopAt(support, item);
+  if (!z_m || *z_m < kLowestTopM) return std::nullopt;
+  return support.T_world_object * Upright(item.at_m, item.yaw_rad, *z_m);
 }
 
 }  // namespace semantic_slam

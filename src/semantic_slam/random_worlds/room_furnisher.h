@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "semantic_slam/common/random_stream.h"
 #include "semantic_slam/random_worlds/arrangement.h"
@@ -29,9 +31,12 @@ class RoomFurnisher {
  private:
   Rigid3d TryWall(double half_width_m);
   Rigid3d TryFloor();
+  bool Fits(const Item& item, const Rigid3d& T_world_arrangement) const;
   bool FitsAt(const Arrangement& arrangement, const Rigid3d& T_world_arrangement) const;
   void Furnish(const Arrangement& arrangement, const Rigid3d& T_world_arrangement);
-  Rigid3d PoseOnTop(const Item& item, const std::string& support) const;
+  std::vector<bool> WhatFits(const Arrangement& arrangement,
+                             const Rigid3d& T_world_arrangement) const;
+  std::optional<Rigid3d> PoseOnTop(const Item& item, const std::string& support) const;
 
   const Building& building_;
   const Room& room_;

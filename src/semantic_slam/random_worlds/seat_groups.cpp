@@ -16,6 +16,7 @@ void AddRug(PieceMaker& maker, const Eigen::Vector2d& middle_m, double yaw_rad,
   rug.at_m = middle_m;
   rug.yaw_rad = yaw_rad;
   rug.is_flat = true;
+  rug.is_optional = true;
   arrangement.Add(rug);
 }
 
@@ -39,6 +40,7 @@ std::size_t AddSeat(PieceMaker& maker, const std::string& kind, const Eigen::Vec
   Item seat = maker.Make(kind);
   seat.at_m = at_m;
   seat.yaw_rad = yaw_rad;
+  seat.is_optional = !arrangement.items.empty();
   const std::size_t index = arrangement.Add(seat);
   if (kind == "sofa") AddPillows(maker, index, arrangement);
   return index;
@@ -49,6 +51,7 @@ void AddBeside(PieceMaker& maker, const Item& sofa, double side, Arrangement& ar
   static const std::vector<std::string> kBeside{"side_table",  "floor_lamp", "plant",
                                                 "snake_plant", "floor_lamp", "side_table"};
   Item item = maker.Make(OneOf(maker.random(), kBeside));
+  item.is_optional = true;
   const double half_m = 0.5 * std::max(item.width_m(), item.depth_m());
   item.at_m = {sofa.at_m.x() - 0.5 * sofa.depth_m() + half_m,
                side * (0.5 * sofa.width_m() + half_m + Between(maker.random(), 0.05, 0.2))};
@@ -72,7 +75,8 @@ Arrangement SofaGroup(PieceMaker& maker) {
   table.at_m = {front_m + Between(random, 0.28, 0.5) + 0.5 * table.depth_m(),
                 0.15 * random.Gaussian()};
   table.yaw_rad = 0.06 * random.Gaussian();
-  if (Chance(random, 0.88)) {
+  if (Chance(random, 0.9)) {
+    table.is_optional = Chance(random, 0.3);
     const std::size_t top = arrangement.Add(table);
     AddClutter(maker, {"magazine", "cup", "bowl", "book_stack", "remote", "vase", "newspaper"}, 4,
                top, arrangement);
@@ -118,6 +122,7 @@ Arrangement ChairRow(PieceMaker& maker) {
   const int count = WholeBetween(random, 2, 5);
   const double pitch_m = chair.width_m() + Between(random, 0.04, 0.2);
   for (int i = 0; i < count; ++i) {
+    chair.is_optional = i > 0;
     chair.at_m = {0.06 + 0.5 * chair.depth_m(), (i - 0.5 * (count - 1)) * pitch_m};
     chair.yaw_rad = 0.03 * random.Gaussian();
     arrangement.Add(chair);
@@ -162,6 +167,7 @@ Arrangement RoundTableGroup(PieceMaker& maker) {
   const Item table = arrangement.items[top];
   AddClutter(maker, {"plate", "cup", "bowl", "bottle", "vase", "newspaper"}, 4, top, arrangement);
   Item chair = maker.Make(Chance(random, 0.85) ? "chair" : "stool");
+  chair.is_optional = true;
   const int count = WholeBetween(random, 2, 4);
   const double turn = Between(random, 0, M_PI);
   for (int i = 0; i < count; ++i) {

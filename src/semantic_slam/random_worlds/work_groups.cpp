@@ -7,8 +7,6 @@
 namespace semantic_slam {
 namespace {
 
-constexpr float kStandsFromM = 1.5f;  // a whiteboard that high stands on the floor
-
 Item OnDesk(Item item, std::size_t desk, double x_m, double y_m, double yaw_rad) {
   item.on = desk;
   item.at_m = {x_m, y_m};
@@ -46,10 +44,12 @@ void AddWorkplace(PieceMaker& maker, Item desk, const Eigen::Vector2d& at_m, dou
   const Eigen::Rotation2Dd turn(yaw_rad);
   desk.at_m = at_m;
   desk.yaw_rad = yaw_rad;
+  desk.is_optional = !arrangement.items.empty();
   const std::size_t index = arrangement.Add(desk);
   AddDevices(maker, index, arrangement);
   if (Chance(random, 0.1)) return;
   Item chair = maker.Make(Chance(random, 0.8) ? "office_chair" : "chair");
+  chair.is_optional = true;
   const double out_m = 0.5 * (desk.depth_m() + chair.depth_m()) + Between(random, 0.02, 0.35);
   chair.at_m = at_m + turn * Eigen::Vector2d(out_m, Between(random, -0.25, 0.1));
   chair.yaw_rad = yaw_rad + M_PI + 0.35 * random.Gaussian();
@@ -100,16 +100,12 @@ Arrangement ConferenceGroup(PieceMaker& maker) {
 
 Arrangement Whiteboard(PieceMaker& maker) {
   RandomStream& random = maker.random();
-  Arrangement arrangement;
-  Item board = maker.Make("whiteboard");
-  if (board.top_m() > kStandsFromM) {
-    arrangement.anchor = Chance(random, 0.5) ? Anchor::kWall : Anchor::kFree;
-  } else {
-    arrangement.anchor = Anchor::kWall;
-    board.request.size_m->y() *= static_cast<float>(Between(random, 0.6, 1.3));
-    board.z_m = Between(random, 0.7, 1.05);
+  if (Chance(random, 0.3)) {
+    return SinglePiece(maker, "whiteboard_stand",
+                       Chance(random, 0.3) ? Anchor::kWall : Anchor::kFree);
   }
-  arrangement.Add(board);
+  Arrangement arrangement = OnWall(maker, "whiteboard", 0.7, 1.05);
+  arrangement.items[0].request.size_m->y() *= static_cast<float>(Between(random, 0.6, 1.3));
   return arrangement;
 }
 

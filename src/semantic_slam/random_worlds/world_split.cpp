@@ -16,13 +16,32 @@ struct SplitPatterns {
 
 // Which split may show which pattern, by what stands there usually. "wall", "floor" and "ceiling"
 // are no patterns but the building's surfaces. What is absent has no alternative.
-const std::map<std::string, SplitPatterns>& PatternTableOfSplits() {
+const std::map<std::string, SplitPatterns>& SplitTable() {
   static const std::map<std::string, SplitPatterns> table{
-      {"wall", {{{"plaster", 6}, {"wallpaper", 3}, {"brick", 1}}, {{"plaster", 6}, {"tiles", 2}}}},
-      {"floor", {{{"parquet", 4}, {"carpet", 3}}, {{"tiles", 3}, {"marble", 1}, {"wood", 2}}}},
-      {"ceiling", {{{"plaster", 6}, {"ceiling_tiles", 4}}, {{"plaster", 5}, {"wood", 1}}}},
-      {"fabric", {{{"fabric", 4}, {"cloth", 1}}, {{"leather", 2}, {"carpet", 2}}}},
-      {"painting", {{{"painting", 1}}, {{"poster", 1}}}},
+      {"wall",
+       {{{"plaster", 7},
+         {"wallpaper", 1},
+         {"striped_wallpaper", 1},
+         {"brick", 0.7},
+         {"tiles", 0.6}},
+        {{"plaster", 7}, {"hexagon_wallpaper", 1.5}, {"subway_tiles", 0.8}, {"panelling", 0.8}}}},
+      {"floor",
+       {{{"parquet", 4},
+         {"carpet", 2.5},
+         {"tiles", 1.5},
+         {"checkered_tiles", 0.5},
+         {"concrete", 0.5}},
+        {{"herringbone", 3}, {"carpet_tiles", 2}, {"terrazzo", 1.5}}}},
+      {"ceiling",
+       {{{"plaster", 6}, {"ceiling_tiles", 3}},
+        {{"plaster", 6}, {"perforated_panels", 2}, {"panelling", 0.7}}}},
+      {"wood", {{{"wood", 5}, {"chipboard", 1}}, {{"veneer", 3}, {"rustic_wood", 2}}}},
+      {"fabric",
+       {{{"fabric", 4}, {"striped_fabric", 1}, {"corduroy", 1}, {"leather", 1.5}},
+        {{"tweed", 3}, {"floral_fabric", 1}}}},
+      {"curtain",
+       {{{"curtain", 2}, {"banded_curtain", 1}}, {{"sheer_curtain", 2}, {"floral_curtain", 1}}}},
+      {"painting", {{{"painting", 2}, {"photograph", 1}}, {{"drawing", 1}, {"graphic_print", 1}}}},
   };
   return table;
 }
@@ -47,8 +66,8 @@ std::vector<int> DesignsFor(WorldSplit split, const FurnitureKind& kind) {
 
 const std::vector<PatternChoice>& PatternsFor(WorldSplit split, const std::string& usual) {
   static const std::vector<PatternChoice> kNoAlternative;
-  const auto found = PatternTableOfSplits().find(usual);
-  if (found == PatternTableOfSplits().end()) return kNoAlternative;
+  const auto found = SplitTable().find(usual);
+  if (found == SplitTable().end()) return kNoAlternative;
   return split == WorldSplit::kTraining ? found->second.training : found->second.validation;
 }
 
