@@ -17,7 +17,7 @@ void AddBedding(PieceMaker& maker, std::size_t bed, Arrangement& arrangement) {
     Item pillow = maker.Make("pillow");
     pillow.request.size_m = Eigen::Vector3f(0.45f, 0.62f, 0.15f);
     pillow.on = bed;
-    pillow.at_m = {-0.5 * frame.depth_m() + 0.34, (i - 0.5 * (pillows - 1)) * 0.72};
+    pillow.at_m = {-0.5 * frame.depth_m() + 0.4, (i - 0.5 * (pillows - 1)) * 0.72};
     pillow.yaw_rad = 0.1 * random.Gaussian();
     arrangement.Add(pillow);
   }

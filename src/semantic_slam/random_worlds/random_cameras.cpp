@@ -33,11 +33,12 @@ Eigen::AlignedBox3d BoundsOf(const WorldObject& object) {
 // and is seen anyhow, least.
 double WeightOf(const std::string& label) {
   static const std::map<std::string, double> weights{
-      {"chair", 3},     {"coffee_table", 5}, {"conference_table", 4},
+      {"chair", 3},     {"coffee_table", 5}, {"conference_table", 6},
       {"sofa", 5},      {"whiteboard", 3},   {"desk", 4},
-      {"bed", 2.5},     {"bookshelf", 2},    {"table", 2},
-      {"door", 0.5},    {"window", 0.5},     {"picture", 0.3},
-      {"curtain", 0.5}, {"blinds", 0.3}};
+      {"bed", 2.5},     {"fridge", 1.5},     {"counter", 2},
+      {"bookshelf", 3}, {"table", 2},        {"door", 0.5},
+      {"window", 0.5},  {"picture", 0.3},    {"curtain", 0.5},
+      {"blinds", 0.3}};
   const auto found = weights.find(label);
   return found == weights.end() ? 1.0 : found->second;
 }

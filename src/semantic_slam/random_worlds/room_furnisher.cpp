@@ -9,7 +9,7 @@
 namespace semantic_slam {
 namespace {
 
-constexpr int kTries = 40;
+constexpr int kTries = 120;
 constexpr double kMostFilled = 0.5;  // of the floor
 constexpr double kSlackM = 0.03;     // between pieces of different arrangements
 constexpr double kLevelM = 0.004;    // tops are level within that
@@ -43,6 +43,13 @@ UprightBox BoxOf(const Item& item, const Rigid3d& T_world_arrangement) {
   return box;
 }
 
+// The same of an item whose pose in the world is known.
+UprightBox BoxAt(Item item, const Rigid3d& T_world_item) {
+  item.at_m.setZero();
+  item.yaw_rad = item.z_m = 0.0;
+  return BoxOf(item, T_world_item);
+}
+
 UprightBox Enlarged(UprightBox box, double by_m) {
   box.half_m.array() += by_m;
   return box;
@@ -74,6 +81,11 @@ UprightBox AccessOf(const Arrangement& arrangement, const Rigid3d& T_world_arran
 
 bool IsSoft(const Item& item) {
   return item.kind == "pillow" || item.kind == "clothes";
+}
+
+// Part of it is within the box around what it lies on: between the arms of a sofa, in a worktop.
+bool IsSunk(const Item& item) {
+  return IsSoft(item) || item.height_m;
 }
 
 // Of the top of a piece below all of an item that lies on it; nullopt if it is not level.
@@ -171,8 +183,11 @@ void RoomFurnisher::Furnish(const Arrangement& arrangement, const Rigid3d& T_wor
     if (!fits[i]) continue;
     std::optional<Rigid3d> T = T_world_arrangement * Upright(item.at_m, item.yaw_rad, item.z_m);
     if (item.on) {
-      T = PoseOnTop(item, names[*item.on]);
-      if (!T) continue;
+      if (!names[*item.on].empty()) T = PoseOnTop(item, names[*item.on]);
+      if (names[*item.on].empty() || !T) continue;
+      const UprightBox box = BoxAt(item, *T);
+      if (!space_.IsPassable(box) && !IsSunk(item)) continue;
+      space_.Take(box);
     } else if (!item.is_flat) {
       space_.Take(Enlarged(BoxOf(item, T_world_arrangement), kSlackM));
     }

@@ -86,7 +86,8 @@ std::map<RoomType, std::vector<Wish>> AllWishes() {
                                {Row("filing_cabinet", 2), 0.3},
                                {Hanging("pin_board", 0.9, 1.2), 0.3}},
                               0.4)},
-      {RoomType::kOffice, With({{DeskBlock, 0.6},
+      {RoomType::kOffice, With({{ConferenceGroup, 0.25},
+                                {DeskBlock, 0.6},
                                 {DeskAtWall, 0.7, 3},
                                 {DeskInRoom, 0.5, 2},
                                 {Whiteboard, 0.8, 2},
@@ -128,16 +129,16 @@ struct WeightedType {
 };
 
 const std::vector<WeightedType>& HomeTypes() {
-  static const std::vector<WeightedType> types{{RoomType::kLiving, 4},  {RoomType::kDining, 1.5},
-                                               {RoomType::kKitchen, 2}, {RoomType::kBedroom, 2.5},
-                                               {RoomType::kStudy, 2},   {RoomType::kCorridor, 0.3}};
+  static const std::vector<WeightedType> types{
+      {RoomType::kLiving, 4},    {RoomType::kDining, 1.5}, {RoomType::kKitchen, 2.5},
+      {RoomType::kBedroom, 2.5}, {RoomType::kStudy, 2},    {RoomType::kCorridor, 0.3}};
   return types;
 }
 
 const std::vector<WeightedType>& OfficeTypes() {
-  static const std::vector<WeightedType> types{
-      {RoomType::kOffice, 3}, {RoomType::kMeeting, 4.5},  {RoomType::kWaiting, 2},
-      {RoomType::kStudy, 1},  {RoomType::kCorridor, 0.4}, {RoomType::kKitchen, 0.6}};
+  static const std::vector<WeightedType> types{{RoomType::kOffice, 3},     {RoomType::kMeeting, 7},
+                                               {RoomType::kWaiting, 2},    {RoomType::kStudy, 1},
+                                               {RoomType::kCorridor, 0.4}, {RoomType::kKitchen, 1}};
   return types;
 }
 
@@ -151,12 +152,12 @@ const std::vector<Wish>& WishesOf(RoomType type) {
 const std::vector<Wish>& OddWishes() {
   static const std::vector<Wish> wishes{
       {Standing("chair"), 0.25, 2}, {Standing("office_chair"), 0.15},
-      {Standing("stool"), 0.12},    {Standing("coffee_table"), 0.12},
+      {Standing("stool"), 0.12},    {Standing("coffee_table"), 0.15},
       {Standing("armchair"), 0.12}, {Standing("desk"), 0.06},
-      {Standing("sofa"), 0.08},     {Whiteboard, 0.12},
+      {Standing("sofa"), 0.14},     {Whiteboard, 0.12},
       {Standing("box"), 0.2, 2},    {Standing("bag"), 0.2},
       {Standing("crate"), 0.1},     {Standing("toy"), 0.1},
-      {Standing("person"), 0.3, 2}, {AtWall("single_bed"), 0.03},
+      {Standing("person"), 0.2, 2}, {AtWall("single_bed"), 0.03},
       {AtWall("fridge"), 0.04},     {AtWall("sideboard"), 0.08}};
   return wishes;
 }
