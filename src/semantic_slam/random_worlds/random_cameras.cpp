@@ -16,6 +16,7 @@ constexpr double kLowestM = 0.4;
 constexpr double kHighestM = 2.0;
 constexpr double kSmallestM = 0.25;    // what is less large, half its diagonal, is not looked at
 constexpr double kLookAtObject = 0.5;  // so often
+constexpr double kViewM = 1.5;         // so far, or farther, goes a look into a room
 constexpr double kTightM = 0.12;       // a target is that much off the middle of the image
 constexpr double kDegree = M_PI / 180;
 
@@ -35,8 +36,8 @@ double WeightOf(const std::string& label) {
   static const std::map<std::string, double> weights{
       {"chair", 3},     {"coffee_table", 5}, {"conference_table", 6},
       {"sofa", 5},      {"whiteboard", 3},   {"desk", 4},
-      {"bed", 2.5},     {"fridge", 1.5},     {"counter", 2},
-      {"bookshelf", 3}, {"table", 2},        {"door", 0.5},
+      {"bed", 3},       {"fridge", 2},       {"counter", 2.5},
+      {"bookshelf", 3}, {"table", 3},        {"door", 0.5},
       {"window", 0.5},  {"picture", 0.3},    {"curtain", 0.5},
       {"blinds", 0.3}};
   const auto found = weights.find(label);
@@ -104,7 +105,7 @@ std::optional<Rigid3d> RandomCameras::LookAbout() {
   };
   const Eigen::Vector2d from_m = somewhere(), towards = somewhere() - from_m;
   const Eigen::Vector3d position_m(from_m.x(), from_m.y(), Between(random_, kLowestM, kHighestM));
-  if (!IsFree(position_m)) return std::nullopt;
+  if (towards.norm() < kViewM || !IsFree(position_m)) return std::nullopt;
   const double pitch_deg =
       std::clamp(-8.0 * (position_m.z() - 0.3) + 10.0 * random_.Gaussian(), -35.0, 15.0);
   return Pose(position_m, std::atan2(towards.y(), towards.x()), pitch_deg * kDegree);

@@ -46,7 +46,7 @@ std::map<RoomType, std::vector<Wish>> AllWishes() {
       {RoomType::kLiving, With({{SofaGroup},
                                 {TvGroup, 0.8},
                                 {RoundTableGroup, 0.2},
-                                {Row("bookshelf", 3), 0.6},
+                                {Row("bookshelf", 3), 0.7},
                                 {AtWall("sideboard"), 0.4},
                                 {Standing("armchair"), 0.4},
                                 {DeskAtWall, 0.2},
@@ -55,7 +55,7 @@ std::map<RoomType, std::vector<Wish>> AllWishes() {
       {RoomType::kDining, With({{DiningGroup},
                                 {AtWall("sideboard"), 0.7},
                                 {AtWall("dresser"), 0.3},
-                                {Row("bookshelf", 2), 0.3},
+                                {Row("bookshelf", 2), 0.5},
                                 {ChairRow, 0.15}},
                                0.7)},
       {RoomType::kKitchen, With({{KitchenRow},
@@ -74,7 +74,7 @@ std::map<RoomType, std::vector<Wish>> AllWishes() {
                                  {BedGroup, 0.15},
                                  {Standing("chair"), 0.4},
                                  {AtWall("bench"), 0.2},
-                                 {Row("bookshelf", 2), 0.25},
+                                 {Row("bookshelf", 2), 0.4},
                                  {Standing("clothes"), 0.15}},
                                 0.6)},
       {RoomType::kStudy, With({{DeskAtWall, 0.7},
@@ -92,7 +92,7 @@ std::map<RoomType, std::vector<Wish>> AllWishes() {
                                 {DeskInRoom, 0.5, 2},
                                 {Whiteboard, 0.8, 2},
                                 {Row("filing_cabinet", 4), 0.6},
-                                {Row("bookshelf", 3), 0.4},
+                                {Row("bookshelf", 3), 0.6},
                                 {AtWall("rack"), 0.25},
                                 {SofaGroup, 0.15},
                                 {Hanging("pin_board", 0.9, 1.2), 0.3},
@@ -129,16 +129,16 @@ struct WeightedType {
 };
 
 const std::vector<WeightedType>& HomeTypes() {
-  static const std::vector<WeightedType> types{
-      {RoomType::kLiving, 4},    {RoomType::kDining, 1.5}, {RoomType::kKitchen, 2.5},
-      {RoomType::kBedroom, 2.5}, {RoomType::kStudy, 2},    {RoomType::kCorridor, 0.3}};
+  static const std::vector<WeightedType> types{{RoomType::kLiving, 4},  {RoomType::kDining, 3},
+                                               {RoomType::kKitchen, 4}, {RoomType::kBedroom, 4},
+                                               {RoomType::kStudy, 2},   {RoomType::kCorridor, 0.3}};
   return types;
 }
 
 const std::vector<WeightedType>& OfficeTypes() {
-  static const std::vector<WeightedType> types{{RoomType::kOffice, 3},     {RoomType::kMeeting, 7},
-                                               {RoomType::kWaiting, 2},    {RoomType::kStudy, 1},
-                                               {RoomType::kCorridor, 0.4}, {RoomType::kKitchen, 1}};
+  static const std::vector<WeightedType> types{{RoomType::kOffice, 3},     {RoomType::kMeeting, 6},
+                                               {RoomType::kWaiting, 2},    {RoomType::kStudy, 2},
+                                               {RoomType::kCorridor, 0.4}, {RoomType::kKitchen, 2}};
   return types;
 }
 
@@ -166,7 +166,7 @@ std::vector<RoomType> ChooseTypes(const std::vector<bool>& narrow, RandomStream&
   const double use = random.Uniform();
   std::vector<RoomType> types;
   for (const bool is_narrow : narrow) {
-    const bool is_home = use < 0.42 || (use > 0.84 && Chance(random, 0.5));
+    const bool is_home = use < 0.5 || (use > 0.84 && Chance(random, 0.5));
     const RoomType type = WeightedOneOf(random, is_home ? HomeTypes() : OfficeTypes()).type;
     types.push_back(is_narrow ? RoomType::kCorridor : type);
   }
