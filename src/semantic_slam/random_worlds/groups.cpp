@@ -128,6 +128,16 @@ Arrangement RowAtWall(PieceMaker& maker, const std::string& kind, int most) {
   return arrangement;
 }
 
+void AddRug(PieceMaker& maker, const std::string& kind, const Eigen::Vector2d& middle_m,
+            double yaw_rad, Arrangement& arrangement) {
+  Item rug = maker.Make(kind);
+  rug.at_m = middle_m;
+  rug.yaw_rad = yaw_rad;
+  rug.is_flat = true;
+  rug.is_optional = true;
+  arrangement.Add(rug);
+}
+
 void AddChairsAround(PieceMaker& maker, const Item& table, const std::string& chair_kind,
                      bool at_ends, Arrangement& arrangement) {
   RandomStream& random = maker.random();

@@ -49,6 +49,10 @@ Arrangement RowAtWall(PieceMaker& maker, const std::string& kind, int most);
 void AddClutter(PieceMaker& maker, const std::vector<std::string>& kinds, int most,
                 std::size_t support, Arrangement& arrangement);
 
+// Lays a rug on the floor, where others may stand on it.
+void AddRug(PieceMaker& maker, const std::string& kind, const Eigen::Vector2d& middle_m,
+            double yaw_rad, Arrangement& arrangement);
+
 // Puts chairs of one sort around a table at the origin, some at its ends if `at_ends`.
 void AddChairsAround(PieceMaker& maker, const Item& table, const std::string& chair_kind,
                      bool at_ends, Arrangement& arrangement);

@@ -77,12 +77,7 @@ Arrangement BedGroup(PieceMaker& maker) {
   }
   if (Chance(random, 0.5)) AddPictureAbove(maker, 0.0, bed.top_m() + 0.25, arrangement);
   if (Chance(random, 0.5)) {
-    Item rug = maker.Make("rug");
-    rug.at_m = {bed.at_m.x() + 0.4, 0};
-    rug.yaw_rad = M_PI / 2;
-    rug.is_flat = true;
-    rug.is_optional = true;
-    arrangement.Add(rug);
+    AddRug(maker, "rug", {bed.at_m.x() + 0.4, 0}, M_PI / 2, arrangement);
   }
   return arrangement;
 }

@@ -10,14 +10,8 @@ namespace {
 constexpr double kGapToWallM = 0.03;
 
 // Flat below what stands about `middle_m`.
-void AddRug(PieceMaker& maker, const Eigen::Vector2d& middle_m, double yaw_rad,
-            Arrangement& arrangement) {
-  Item rug = maker.Make(Chance(maker.random(), 0.8) ? "rug" : "round_rug");
-  rug.at_m = middle_m;
-  rug.yaw_rad = yaw_rad;
-  rug.is_flat = true;
-  rug.is_optional = true;
-  arrangement.Add(rug);
+std::string RugKind(RandomStream& random) {
+  return Chance(random, 0.8) ? "rug" : "round_rug";
 }
 
 void AddPillows(PieceMaker& maker, std::size_t sofa, Arrangement& arrangement) {
@@ -81,7 +75,7 @@ Arrangement SofaGroup(PieceMaker& maker) {
     AddClutter(maker, {"magazine", "cup", "bowl", "book_stack", "remote", "vase", "newspaper"}, 4,
                top, arrangement);
   }
-  if (Chance(random, 0.6)) AddRug(maker, table.at_m, M_PI / 2, arrangement);
+  if (Chance(random, 0.6)) AddRug(maker, RugKind(random), table.at_m, M_PI / 2, arrangement);
   for (const double side : {-1.0, 1.0}) {
     if (Chance(random, 0.35)) AddBeside(maker, sofa, side, arrangement);
     if (!Chance(random, 0.3)) continue;
@@ -109,7 +103,7 @@ Arrangement LoungeGroup(PieceMaker& maker) {
     AddSeat(maker, kind, out_m * Eigen::Vector2d(std::cos(angle), std::sin(angle)), angle + M_PI,
             arrangement);
   }
-  if (Chance(random, 0.6)) AddRug(maker, {0, 0}, 0.0, arrangement);
+  if (Chance(random, 0.6)) AddRug(maker, RugKind(random), {0, 0}, 0.0, arrangement);
   return arrangement;
 }
 
@@ -156,7 +150,7 @@ Arrangement DiningGroup(PieceMaker& maker) {
              arrangement);
   AddChairsAround(maker, table, Chance(random, 0.9) ? "chair" : "stool", Chance(random, 0.5),
                   arrangement);
-  if (Chance(random, 0.35)) AddRug(maker, {0, 0}, 0.0, arrangement);
+  if (Chance(random, 0.35)) AddRug(maker, RugKind(random), {0, 0}, 0.0, arrangement);
   return arrangement;
 }
 
