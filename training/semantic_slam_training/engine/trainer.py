@@ -18,6 +18,7 @@ from semantic_slam_training.errors import TrainingError
 
 LARGEST_GRADIENT = 10.0  # norm; longer ones are cut
 LOSSES_AVERAGED = 50  # steps
+BFLOAT16_UNITS = ("amx_bf16", "avx512_bf16")  # of processors, as /proc/cpuinfo names them
 PER_CLASS = ("iou_", "ap50_")  # how names of figures of single classes begin
 
 
@@ -30,11 +31,12 @@ def choose_device(name):
 
 
 def multiplies_bfloat16(device):
-    """Whether the GPU, or the processor by its AMX units, does so fast."""
+    """Whether the GPU, or the processor by units made for it, does so fast."""
     if device.type == "cuda":
         return torch.cuda.is_bf16_supported()
     cpu_info = pathlib.Path("/proc/cpuinfo")
-    return cpu_info.exists() and "amx_bf16" in cpu_info.read_text()
+    flags = cpu_info.read_text().split() if cpu_info.exists() else []
+    return any(unit in flags for unit in BFLOAT16_UNITS)
 
 
 def arithmetic(device, precision):
