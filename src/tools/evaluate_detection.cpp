@@ -72,7 +72,7 @@ cv::Mat DrawExamples(const std::vector<BoxedImage>& images, const std::vector<do
     };
     const Detections found = detector.Detect(colour, ColourOrder::kBgr, Stamp{});
     panels.push_back({ExampleTitle(chosen, "F1", image.image_path), colour});
-    panels.push_back({"truth", draw(counting.TrueBoxes(image, colour.size()))});
+    panels.push_back({"truth", draw(counting.ReadTruth(image, colour.size()).boxes)});
     panels.push_back({"prediction", draw(counting.FoundBoxes(found.boxes))});
   }
   return ComposeFigure(panels, 3);

@@ -7,6 +7,7 @@
 
 #include "semantic_slam/common/atomic_file.h"
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/network_evaluation/model_classes.h"
 #include "semantic_slam/network_evaluation/report_text.h"
 
 namespace semantic_slam {

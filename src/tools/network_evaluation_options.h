@@ -6,10 +6,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/dnn/model.h"
 #include "semantic_slam/dnn/network.h"
-#include "semantic_slam/network_evaluation/class_list.h"
 #include "semantic_slam/network_evaluation/example_choice.h"
 #include "tools/command_line.h"
 

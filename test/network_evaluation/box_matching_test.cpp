@@ -61,5 +61,18 @@ TEST(CountBoxesTest, TheRightClassGoesBeforeTheLargerOverlap) {
   EXPECT_EQ(matrix.count(matrix.none(), 1), 1);
 }
 
+TEST(PassOverOptionalTest, ABoxOnAnOptionalObjectIsLeftOut) {
+  const cv::Rect2f on_truth(0.5f, 0.0f, 10.0f, 10.0f), on_optional(1.5f, 0.0f, 10.0f, 10.0f),
+      elsewhere(20.0f, 0.0f, 10.0f, 10.0f);
+  const std::vector<ClassBox> truth = {{0, 1.0f, {0.0f, 0.0f, 10.0f, 10.0f}}};
+  const std::vector<ClassBox> found = {
+      {0, 0.9f, on_truth}, {0, 0.8f, on_optional}, {1, 0.7f, elsewhere}};
+  const auto kept = PassOverOptional(truth, {{2.0f, 0.0f, 10.0f, 10.0f}}, found, 0.5);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].box, on_truth);
+  EXPECT_EQ(kept[1].box, elsewhere);
+  EXPECT_EQ(PassOverOptional(truth, {}, found, 0.5).size(), 3u);
+}
+
 }  // namespace
 }  // namespace semantic_slam

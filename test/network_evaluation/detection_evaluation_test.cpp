@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/network_evaluation/model_classes.h"
 #include "testing/expect_error.h"
 #include "testing/temporary_folder.h"
 #include "testing/tiny_networks.h"
@@ -72,7 +73,19 @@ TEST_F(DetectionEvaluationTest, CountsWhatIsFoundMissedAndConfused) {
 TEST_F(DetectionEvaluationTest, TrueBoxesThatTheNetworkCannotSeeAreLeftOut) {
   // 3 px of the network's input are 30 px here, 0.0469 of the width.
   const BoxedImage image = Write("small", {2, 3}, "0 0.5 0.5 0.046 0.5\n0 0.5 0.5 0.048 0.5\n");
-  EXPECT_EQ(counting_.TrueBoxes(image, kSize).size(), 1u);
+  EXPECT_EQ(counting_.ReadTruth(image, kSize).boxes.size(), 1u);
+}
+
+TEST_F(DetectionEvaluationTest, WhatIsFoundOnAnOptionalObjectDoesNotCount) {
+  ClassList classes = classes_;
+  classes.is_optional[LabelOf("desk")] = true;
+  const BoxCounting counting(classes, model_.card.input, kMaxOverlap);
+  const BoxedImage image = Write("optional", {2, 3}, CellBox(2, {2, 3}));
+  EXPECT_EQ(counting.ReadTruth(image, kSize).optional.size(), 1u);
+  const DetectionEvaluation evaluation = EvaluateDetection(
+      {image}, counting, classes.size(), kThreshold, detector_, [](std::size_t) {});
+  EXPECT_EQ(evaluation.score.At(kThreshold).rates.extras, 0);
+  EXPECT_EQ(Evaluate({image}).score.At(kThreshold).rates.extras, 1);
 }
 
 TEST_F(DetectionEvaluationTest, OfMergedLabelsThatOverlapTheSurestStays) {

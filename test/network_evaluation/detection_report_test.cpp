@@ -16,9 +16,11 @@ class DetectionReportTest : public ::testing::Test {
     evaluation_.confusion.Add(0, 0);
     evaluation_.confusion.Add(0, 2);
     evaluation_.timing = {"detection", 1, 12.5, 20.25};
+    classes_.Add("chair", 5);
+    classes_.Add("table", 7);
   }
 
-  const ClassList classes_{{"chair", "table"}, {5, 7}, {}};
+  ClassList classes_;
   DetectionEvaluation evaluation_{2, 0.25};
 };
 

@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/network_evaluation/model_classes.h"
 #include "semantic_slam/network_evaluation/segmentation_score.h"
 #include "testing/expect_error.h"
 #include "testing/temporary_folder.h"

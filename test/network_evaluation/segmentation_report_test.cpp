@@ -11,12 +11,14 @@ namespace {
 class SegmentationReportTest : public ::testing::Test {
  protected:
   SegmentationReportTest() {
+    classes_.Add("chair", 5);
+    classes_.Add("table", 7);
     evaluation_.confusion.Add(0, 0, 3);
     evaluation_.confusion.Add(0, 2, 1);
     evaluation_.timing = {"segmentation", 2, 12.5, 20.25};
   }
 
-  const ClassList classes_{{"chair", "table"}, {5, 7}, {}};
+  ClassList classes_;
   SegmentationEvaluation evaluation_{2};
 };
 

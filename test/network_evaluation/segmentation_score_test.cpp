@@ -11,11 +11,11 @@ constexpr LabelId kChair = 3, kStool = 4, kTable = 7, kWall = 1, kSofa = 9;
 
 // Chair (stools count as chairs), table, sofa; walls do not count.
 ClassList Classes() {
-  ClassList classes{{"chair", "table", "sofa"}, {kChair, kTable, kSofa}, {}};
-  classes.of_label.fill(kIgnoredClass);
-  classes.of_label[kChair] = classes.of_label[kStool] = 0;
-  classes.of_label[kTable] = 1;
-  classes.of_label[kSofa] = 2;
+  ClassList classes;
+  classes.Add("chair", kChair);
+  classes.Add("table", kTable);
+  classes.Add("sofa", kSofa);
+  classes.of_label[kStool] = 0;
   return classes;
 }
 

@@ -4,15 +4,15 @@ import needs_torch  # noqa: F401
 import pytest
 import torch
 
-from semantic_slam_training.losses.assignment import CELLS_PER_OBJECT, Objects, assign
+from semantic_slam_training.losses.assignment import CELLS_PER_OBJECT, Objects, assign, cells_in_optional
 
 CENTRES = torch.tensor([[4.0, 4.0], [12.0, 4.0], [20.0, 4.0], [28.0, 4.0]])
 
 
 def objects(boxes, classes, present=None):
-    present = [True] * len(boxes) if present is None else present
-    return Objects(torch.tensor([boxes]).reshape(1, -1, 4), torch.tensor([classes], dtype=torch.int64),
-                   torch.tensor([present], dtype=torch.bool))
+    present = torch.tensor([[True] * len(boxes) if present is None else present], dtype=torch.bool)
+    return Objects(torch.tensor([boxes]).reshape(1, -1, 4), torch.tensor([classes], dtype=torch.int64), present,
+                   torch.zeros_like(present))
 
 
 def predicted(boxes):
@@ -54,8 +54,14 @@ def test_padding_finds_nothing():
     assert not targets.foreground.any() and float(targets.scores.sum()) == 0.0
 
 
+def test_cells_in_optional_objects_are_told():
+    boxes, kinds = torch.tensor([[[0.0, 0.0, 8.0, 8.0], [16.0, 0.0, 32.0, 8.0]]]), torch.zeros(1, 2, dtype=torch.int64)
+    truth = Objects(boxes, kinds, torch.tensor([[True, False]]), torch.tensor([[False, True]]))
+    assert cells_in_optional(CENTRES, truth).tolist() == [[False, False, True, True]]
+
+
 def test_a_batch_without_objects_is_all_background():
-    truth = Objects(torch.zeros(1, 0, 4), torch.zeros(1, 0, dtype=torch.int64), torch.zeros(1, 0, dtype=torch.bool))
+    truth = objects([], [])
     targets = assign(torch.full((1, 4, 2), 0.5), torch.zeros(1, 4, 4), CENTRES, truth)
     assert not targets.foreground.any() and targets.scores.shape == (1, 4, 2)
 

@@ -17,11 +17,20 @@ def test_labels_become_classes_or_are_ignored(tmp_path):
     assert classes.of_label[[7, 38, 1, 0, 200]].tolist() == [0, 0, 1, IGNORE, IGNORE]
 
 
+def test_labels_may_be_optional(tmp_path):
+    path = tmp_path / "classes.yaml"
+    path.write_text("classes: [coffee_table]\noptional: [table]\n")
+    classes = read_class_list(path, VOCABULARY)
+    assert classes.optional == {7} and classes.of_label[7] == IGNORE
+
+
 @pytest.mark.parametrize("text, words", [
     ("classes: [wall, wall]", "each once"),
     ("classes: []", "1 to 255 names"),
     ("classes: [wal]", "'wal' is no label"),
     ("classes: [wall]\nmerge: {table: tabel}", "'tabel' is none of the classes"),
+    ("classes: [wall]\noptional: [tabel]", "'tabel' is no label"),
+    ("classes: [wall]\noptional: [wall]", "'wall' is one of the classes"),
     ("classes: [wall", "not YAML"),
     ("wall", "expected a map"),
 ])

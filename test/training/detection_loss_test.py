@@ -14,7 +14,7 @@ CENTRES, STRIDES = cell_centres(64, 64)
 
 
 def one_object():
-    return Objects(TRUTH, torch.tensor([[1]]), torch.tensor([[True]]))
+    return Objects(TRUTH, torch.tensor([[1]]), torch.tensor([[True]]), torch.tensor([[False]]))
 
 
 def descend(objects, steps):
@@ -40,9 +40,19 @@ def test_descent_ends_at_the_object():
 
 
 def test_without_objects_only_scores_count():
-    nothing = Objects(torch.zeros(1, 0, 4), torch.zeros(1, 0, dtype=torch.int64), torch.zeros(1, 0, dtype=torch.bool))
+    none = torch.zeros(1, 0, dtype=torch.bool)
+    nothing = Objects(torch.zeros(1, 0, 4), torch.zeros(1, 0, dtype=torch.int64), none, none)
     parts = detection_loss(torch.zeros(1, 4 * BINS, len(CENTRES)), torch.zeros(1, 2, len(CENTRES)), nothing, CENTRES,
                            STRIDES)
     assert float(parts["box"]) == float(parts["distribution"]) == 0.0
     # Each of the scores is undecided; nothing is assigned, so they are divided by 1.
     assert float(parts["class"]) == pytest.approx(0.5 * 2 * len(CENTRES) * 0.693147, rel=1e-5)
+
+
+def test_an_optional_object_may_be_found_or_not():
+    optional = Objects(TRUTH, torch.tensor([[0]]), torch.tensor([[False]]), torch.tensor([[True]]))
+    inside = ((CENTRES > TRUTH[0, 0, :2]) & (CENTRES < TRUTH[0, 0, 2:])).all(1)
+    scores = torch.zeros(1, 2, len(CENTRES), requires_grad=True)
+    sum(detection_loss(torch.zeros(1, 4 * BINS, len(CENTRES)), scores, optional, CENTRES, STRIDES).values()).backward()
+    assert inside.any() and not scores.grad[:, :, inside].any()
+    assert (scores.grad[:, :, ~inside] > 0).all()  # the rest is background

@@ -8,7 +8,7 @@ import torch
 from semantic_slam_training.classes import IGNORE
 from semantic_slam_training.evaluation.appearance_metrics import area_under_curve, separation
 from semantic_slam_training.evaluation.detection_metrics import (
-    Boxes, DetectionScore, average_precision, select_boxes)
+    Boxes, DetectionScore, average_precision, pass_over_optional, select_boxes)
 from semantic_slam_training.evaluation.segmentation_metrics import ConfusionMatrix
 
 
@@ -56,6 +56,16 @@ def test_perfect_boxes_score_one():
         score.add(found((5.0, 0.6, 0)), torch.tensor([[5.0, 0.0, 15.0, 10.0]]), torch.tensor([0]))
     figures = score.metrics()
     assert (figures["map50"], figures["precision"], figures["recall"]) == (1.0, 1.0, 1.0)
+
+
+def test_a_box_on_an_optional_object_is_passed_over():
+    truth, optional = torch.tensor([[0.0, 0.0, 10.0, 10.0]]), torch.tensor([[2.0, 0.0, 12.0, 10.0],
+                                                                            [40.0, 0.0, 50.0, 10.0]])
+    # More on the true object, more on the optional one, far from both, on the second optional one.
+    boxes = found((0.5, 0.9, 0), (1.5, 0.8, 0), (20.0, 0.7, 0), (41.0, 0.6, 1))
+    assert pass_over_optional(boxes, truth, optional).scores.tolist() == pytest.approx([0.9, 0.7])
+    assert len(pass_over_optional(boxes, truth, torch.zeros(0, 4)).scores) == 4
+    assert len(pass_over_optional(found(), truth, optional).scores) == 0
 
 
 def test_an_image_without_objects_or_boxes_does_no_harm():

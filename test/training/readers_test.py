@@ -1,11 +1,13 @@
 """data/: the layouts of data sets, and one line on what is wrong with a folder."""
 
+import dataclasses
+
 import needs_torch  # noqa: F401
 import numpy as np
 import pytest
 from tiny_sets import CHAIR, SOFA, WALL, fill, scene, write_image, write_rendered, write_yolo_folder
 
-from semantic_slam_training.classes import IGNORE, ClassList
+from semantic_slam_training.classes import IGNORE, OPTIONAL, ClassList
 from semantic_slam_training.data.rendered import RenderedDetection, RenderedObjects, RenderedSegmentation
 from semantic_slam_training.data.sets import open_detection, open_segmentation
 from semantic_slam_training.data.sun_rgbd import SunRgbd, is_sun_rgbd
@@ -44,6 +46,11 @@ def test_rendered_boxes_of_other_labels_are_left_out(rendered, classes):
     assert image.shape == (48, 64, 3)
     assert found.tolist() == [pytest.approx(boxes[1], abs=1e-3)]  # six digits in the file
     assert kinds.tolist() == [0]
+
+
+def test_rendered_boxes_of_optional_labels_are_marked(rendered, classes):
+    optional = dataclasses.replace(classes, optional=frozenset([WALL]))
+    assert RenderedDetection([rendered[0]], optional).read(1)[2].tolist() == [0, OPTIONAL]
 
 
 def test_rendered_images_without_a_file_of_boxes_are_left_out(rendered, classes):

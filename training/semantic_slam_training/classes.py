@@ -9,6 +9,7 @@ import yaml
 from semantic_slam_training.errors import TrainingError
 
 IGNORE = 255  # class index of pixels that no loss and no metric looks at
+OPTIONAL = -1  # class index of boxes that may be found or not
 VOCABULARY_FILE = pathlib.Path(__file__).resolve().parents[2] / "config/labels.yaml"
 
 
@@ -17,10 +18,12 @@ class ClassList:
     """Names of a network's classes, in the order of its scores, and the class of each label id.
 
     `of_label` is uint8 of 256: class index of each id of config/labels.yaml, IGNORE if it is in none.
+    `optional`: ids of which a detector may find objects or not: they could as well be of one of the classes.
     """
 
     names: tuple
     of_label: np.ndarray
+    optional: frozenset = frozenset()
 
 
 def read_yaml(path):
@@ -46,7 +49,8 @@ def label_id(path, name, vocabulary):
 
 
 def read_class_list(path, vocabulary=None):
-    """Reads `classes: [names]` and, optionally, `merge: {label: class}` for labels that count as another class."""
+    """Reads `classes: [names]` and what else there may be: `merge: {label: class}` for labels that count as
+    another class, `optional: [labels]` for objects that may be found or not."""
     vocabulary = vocabulary or read_vocabulary()
     content = read_yaml(path)
     names = tuple(content.get("classes") or ())
@@ -59,4 +63,8 @@ def read_class_list(path, vocabulary=None):
         if merged_into not in names:
             raise TrainingError(f"{path}: merge: '{merged_into}' is none of the classes")
         of_label[label_id(path, name, vocabulary)] = names.index(merged_into)
-    return ClassList(names, of_label)
+    optional = {name: label_id(path, name, vocabulary) for name in content.get("optional") or ()}
+    for name, label in optional.items():
+        if of_label[label] != IGNORE:
+            raise TrainingError(f"{path}: optional: '{name}' is one of the classes or merged into one")
+    return ClassList(names, of_label, frozenset(optional.values()))

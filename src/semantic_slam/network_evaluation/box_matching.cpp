@@ -48,6 +48,23 @@ std::vector<int> MatchInOrder(const std::vector<cv::Rect2f>& truth,
   return matches;
 }
 
+std::vector<ClassBox> PassOverOptional(const std::vector<ClassBox>& truth,
+                                       const std::vector<cv::Rect2f>& optional,
+                                       const std::vector<ClassBox>& found, double min_iou) {
+  std::vector<ClassBox> kept;
+  for (const ClassBox& box : found) {
+    double of_true = 0.0, of_optional = 0.0;
+    for (const ClassBox& other : truth) {
+      of_true = std::max(of_true, IntersectionOverUnion(other.box, box.box));
+    }
+    for (const cv::Rect2f& other : optional) {
+      of_optional = std::max(of_optional, IntersectionOverUnion(other, box.box));
+    }
+    if (of_optional < min_iou || of_optional <= of_true) kept.push_back(box);
+  }
+  return kept;
+}
+
 void CountBoxes(const std::vector<ClassBox>& truth, const std::vector<ClassBox>& found,
                 double min_iou, ConfusionMatrix& matrix) {
   std::vector<Pair> pairs = OverlappingPairs(truth, found, min_iou);

@@ -21,6 +21,12 @@ struct ClassBox {
 std::vector<int> MatchInOrder(const std::vector<cv::Rect2f>& truth,
                               const std::vector<cv::Rect2f>& found, double min_iou);
 
+// `found` without the boxes that overlap one of the `optional` ones by at least `min_iou`, and any
+// true one less: they show an object that may be found or not.
+std::vector<ClassBox> PassOverOptional(const std::vector<ClassBox>& truth,
+                                       const std::vector<cv::Rect2f>& optional,
+                                       const std::vector<ClassBox>& found, double min_iou);
+
 // Adds an image to the confusion matrix of boxes. Pairs that overlap by at least `min_iou` are made
 // one to one, those of one class before the others, the larger overlap first; what remains is
 // background (none()) that was found, or true boxes taken for background.

@@ -6,8 +6,8 @@
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/dataset/tum_images.h"
-#include "semantic_slam/network_evaluation/class_list.h"
 #include "semantic_slam/network_evaluation/image_files.h"
+#include "semantic_slam/network_evaluation/model_classes.h"
 #include "semantic_slam/network_evaluation/yolo_data_file.h"
 
 namespace semantic_slam {

@@ -43,15 +43,18 @@ DetectorOptions OptionsForEvaluation(double max_overlap) {
   return options;
 }
 
-std::vector<ClassBox> BoxCounting::TrueBoxes(const BoxedImage& image, cv::Size size) const {
+ImageTruth BoxCounting::ReadTruth(const BoxedImage& image, cv::Size size) const {
   const ImageFit fit(size, input_.size(), input_.fit);
-  std::vector<ClassBox> boxes;
+  ImageTruth truth;
   for (const FileBox& box : ReadBoxFile(image.boxes_path, size)) {
-    const int c = classes_.of_label[LabelOfNumber(image, box.class_number)];
+    const LabelId label = LabelOfNumber(image, box.class_number);
+    const int c = classes_.of_label[label];
     const float side = std::min(box.box.width / fit.scale_x(), box.box.height / fit.scale_y());
-    if (c != kIgnoredClass && side >= kLeastSidePx) boxes.push_back({c, 1.0f, box.box});
+    if (side < kLeastSidePx) continue;
+    if (c != kIgnoredClass) truth.boxes.push_back({c, 1.0f, box.box});
+    if (classes_.is_optional[label]) truth.optional.push_back(box.box);
   }
-  return boxes;
+  return truth;
 }
 
 std::vector<ClassBox> BoxCounting::FoundBoxes(const std::vector<DetectedBox>& boxes) const {
@@ -88,11 +91,12 @@ DetectionEvaluation EvaluateDetection(const std::vector<BoxedImage>& images,
   StageTimer timer;
   for (const BoxedImage& image : images) {
     const cv::Mat colour = ReadColourImage(image.image_path);
-    const std::vector<ClassBox> truth = counting.TrueBoxes(image, colour.size());
+    const ImageTruth truth = counting.ReadTruth(image, colour.size());
     const Detections detections = TimedDetect(detector, colour, timer);
-    const std::vector<ClassBox> found = counting.FoundBoxes(detections.boxes);
-    evaluation.image_f1s.push_back(evaluation.score.Add(truth, found).f1());
-    CountBoxes(truth, AtLeast(threshold, found), kMatchIou, evaluation.confusion);
+    const std::vector<ClassBox> found = PassOverOptional(
+        truth.boxes, truth.optional, counting.FoundBoxes(detections.boxes), kMatchIou);
+    evaluation.image_f1s.push_back(evaluation.score.Add(truth.boxes, found).f1());
+    CountBoxes(truth.boxes, AtLeast(threshold, found), kMatchIou, evaluation.confusion);
     progress(evaluation.image_f1s.size());
   }
   evaluation.timing = timer.Timings().front();

@@ -4,12 +4,12 @@
 #include <functional>
 #include <vector>
 
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/common/duration_histogram.h"
 #include "semantic_slam/detection/detections.h"
 #include "semantic_slam/detection/detector.h"
 #include "semantic_slam/dnn/model_card.h"
 #include "semantic_slam/network_evaluation/boxed_images.h"
-#include "semantic_slam/network_evaluation/class_list.h"
 #include "semantic_slam/network_evaluation/confusion_matrix.h"
 #include "semantic_slam/network_evaluation/detection_score.h"
 
@@ -33,6 +33,12 @@ struct DetectionEvaluation {
   StageTiming timing;             // per image, without reading it
 };
 
+// What there is in an image.
+struct ImageTruth {
+  std::vector<ClassBox> boxes;
+  std::vector<cv::Rect2f> optional;  // of objects that may be found or not
+};
+
 // How truth and findings of an image are counted. Immutable, so safe from any thread; what it is
 // made of must outlive it.
 class BoxCounting {
@@ -40,12 +46,12 @@ class BoxCounting {
   BoxCounting(const ClassList& classes, const NetworkInput& input, double max_overlap)
       : classes_(classes), input_(input), max_overlap_(max_overlap) {}
 
-  // The boxes of classes that count and are not too small. Throws InputError naming a file that is
-  // not understood or speaks of a class that there is not.
-  std::vector<ClassBox> TrueBoxes(const BoxedImage& image, cv::Size size) const;
+  // The boxes of classes that count and are not too small, and those of what may be found or not.
+  // Throws InputError naming a file that is not understood or speaks of a class that there is not.
+  ImageTruth ReadTruth(const BoxedImage& image, cv::Size size) const;
 
-  // The same of what was found; where boxes of labels that count as one class overlap too much, the
-  // surest stays, as the detector has it within a label.
+  // The boxes of classes that count of what was found; where boxes of labels that count as one
+  // class overlap too much, the surest stays, as the detector has it within a label.
   std::vector<ClassBox> FoundBoxes(const std::vector<DetectedBox>& boxes) const;
 
   // For pictures: the boxes from `threshold` on, by the labels that the classes are named after.

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/common/duration_histogram.h"
-#include "semantic_slam/network_evaluation/class_list.h"
 #include "semantic_slam/network_evaluation/confusion_matrix.h"
 #include "semantic_slam/network_evaluation/labelled_images.h"
 #include "semantic_slam/segmentation/segmentation.h"

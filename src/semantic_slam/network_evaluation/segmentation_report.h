@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "semantic_slam/network_evaluation/class_list.h"
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/network_evaluation/segmentation_evaluation.h"
 
 namespace semantic_slam {

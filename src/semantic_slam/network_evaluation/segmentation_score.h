@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "semantic_slam/network_evaluation/class_list.h"
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/network_evaluation/confusion_matrix.h"
 
 namespace semantic_slam {

@@ -13,7 +13,7 @@ import pathlib
 
 import numpy as np
 
-from semantic_slam_training.classes import IGNORE
+from semantic_slam_training.classes import IGNORE, OPTIONAL
 from semantic_slam_training.data.box_files import read_boxes
 from semantic_slam_training.data.image_files import check_same_size, read_colour, read_ids
 from semantic_slam_training.errors import TrainingError
@@ -74,7 +74,8 @@ class RenderedDetection:
 
     def __init__(self, roots, classes):
         self.names = classes.names
-        self._of_label = classes.of_label
+        self._of_label = classes.of_label.astype(np.int64)
+        self._of_label[sorted(classes.optional)] = OPTIONAL
         images = [image for root in roots for folder in sequence_folders(root)
                   for image in read_list(folder / "rgb.txt").values()]
         self._images = [image for image in images if boxes_file(image).exists()]
@@ -85,7 +86,8 @@ class RenderedDetection:
         return len(self._images)
 
     def read(self, index):
-        """Colour image, boxes n x 4 [px] (left, top, right, bottom; float32), class indices n (int64)."""
+        """Colour image, boxes n x 4 [px] (left, top, right, bottom; float32), class indices n (int64; OPTIONAL for
+        what may be found or not)."""
         path = self._images[index]
         image = read_colour(path)
         boxes, ids = read_boxes(boxes_file(path), image.shape)
@@ -93,7 +95,7 @@ class RenderedDetection:
             raise TrainingError(f"{boxes_file(path)}: expected ids of labels, 0 to {IGNORE}")
         classes = self._of_label[ids]
         kept = classes != IGNORE
-        return image, boxes[kept], classes[kept].astype(np.int64)
+        return image, boxes[kept], classes[kept]
 
 
 @dataclasses.dataclass(frozen=True)

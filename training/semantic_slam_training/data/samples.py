@@ -6,6 +6,7 @@ Each item is a pure function of (seed, step, place in the batch), so that traini
 import numpy as np
 import torch
 
+from semantic_slam_training.classes import OPTIONAL
 from semantic_slam_training.data.augmentation import change_light
 from semantic_slam_training.data.view import letterbox, random_view, shrink, view_boxes, view_image, view_labels
 
@@ -81,15 +82,18 @@ class DetectionSamples(Samples):
 
 
 def pad_objects(boxes, classes):
-    """Tensors batch x n x 4, batch x n (int64), batch x n (bool: whether there is an object)."""
+    """Tensors batch x n x 4, batch x n (int64) and, both batch x n (bool), where there is an object that is to be
+    found and where one that may be found or not."""
     most = max(len(each) for each in boxes)
     padded = torch.zeros(len(boxes), most, 4), torch.zeros(len(boxes), most, dtype=torch.int64)
     present = torch.zeros(len(boxes), most, dtype=torch.bool)
+    optional = torch.zeros(len(boxes), most, dtype=torch.bool)
     for index, (box, kind) in enumerate(zip(boxes, classes)):
         padded[0][index, :len(box)] = torch.from_numpy(box)
-        padded[1][index, :len(box)] = torch.from_numpy(kind)
-        present[index, :len(box)] = True
-    return *padded, present
+        padded[1][index, :len(box)] = torch.from_numpy(kind.clip(0))
+        present[index, :len(box)] = torch.from_numpy(kind != OPTIONAL)
+        optional[index, :len(box)] = torch.from_numpy(kind == OPTIONAL)
+    return *padded, present, optional
 
 
 class AppearanceSamples(Samples):

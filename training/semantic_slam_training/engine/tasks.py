@@ -5,7 +5,7 @@ import torch
 
 from semantic_slam_training.data.batches import IdentityPlan, ShuffledPlan, load_batches, load_in_order
 from semantic_slam_training.evaluation.appearance_metrics import separation
-from semantic_slam_training.evaluation.detection_metrics import DetectionScore, select_boxes
+from semantic_slam_training.evaluation.detection_metrics import DetectionScore, pass_over_optional, select_boxes
 from semantic_slam_training.evaluation.segmentation_metrics import ConfusionMatrix
 from semantic_slam_training.losses.appearance import appearance_loss
 from semantic_slam_training.losses.assignment import Objects
@@ -70,18 +70,19 @@ class DetectionTask(Task):
         self.centres, self.strides = cell_centres(samples.format.height, samples.format.width)
 
     def losses(self, network, batch):
-        images, boxes, classes, present = batch
+        images, *objects = batch
         sides, scores = network(images)
         centres, strides = self.centres.to(images.device), self.strides.to(images.device)
-        return detection_loss(sides, scores, Objects(boxes, classes, present), centres, strides)
+        return detection_loss(sides, scores, Objects(*objects), centres, strides)
 
     def validate(self, network, device):
         names = self.samples.dataset.names
         decoder = YoloV8Boxes(network, self.samples.format.height, self.samples.format.width).to(device).eval()
         score = DetectionScore(len(names))
-        for images, boxes, classes, present in self.validation_batches():
-            for rows, box, kind, there in zip(decoder(images.to(device)).float().cpu(), boxes, classes, present):
-                score.add(select_boxes(rows), box[there], kind[there])
+        for images, *objects in self.validation_batches():
+            for rows, box, kind, present, optional in zip(decoder(images.to(device)).float().cpu(), *objects):
+                found = pass_over_optional(select_boxes(rows), box[present], box[optional])
+                score.add(found, box[present], kind[present])
         precisions = {f"ap50_{name}": float(value) for name, value in zip(names, score.class_precisions())}
         return {**score.metrics(), **precisions}
 

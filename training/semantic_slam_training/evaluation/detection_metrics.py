@@ -44,6 +44,20 @@ def select_boxes(rows):
     return Boxes(boxes[kept], scores[order][kept], classes[order][kept])
 
 
+def best_overlaps(boxes, others):
+    """The intersection over union of each box with the one of the others that it overlaps most; 0 without any."""
+    if len(others) == 0:
+        return torch.zeros(len(boxes))
+    return intersection_over_union(boxes[:, None], others[None]).amax(1)
+
+
+def pass_over_optional(found, true_boxes, optional_boxes):
+    """Without the boxes that show an object which may be found or not, rather than one that is to be found."""
+    optional = best_overlaps(found.boxes, optional_boxes)
+    kept = (optional < MATCH_IOU) | (optional <= best_overlaps(found.boxes, true_boxes))
+    return Boxes(found.boxes[kept], found.scores[kept], found.classes[kept])
+
+
 def match(found, true_boxes):
     """Whether each found box, in order, takes a true one that no better has taken: bool array."""
     taken = np.zeros(len(true_boxes), bool)

@@ -16,12 +16,14 @@ EPSILON = 1e-9
 class Objects:
     """The true objects of a batch, padded to as many as the fullest image has.
 
-    boxes: batch x objects x 4 [px], classes: batch x objects (int64), present: batch x objects (bool).
+    boxes: batch x objects x 4 [px], classes: batch x objects (int64); present and optional: batch x objects
+    (bool): those that are to be found, and those that may be found or not, whatever their class.
     """
 
     boxes: torch.Tensor
     classes: torch.Tensor
     present: torch.Tensor
+    optional: torch.Tensor
 
 
 @dataclasses.dataclass(frozen=True)
@@ -73,6 +75,11 @@ def soft_scores(aligned, overlaps, chosen):
     best_aligned = aligned.amax(-1, keepdim=True)
     best_overlap = (overlaps * chosen).amax(-1, keepdim=True)
     return aligned * best_overlap / (best_aligned + EPSILON)
+
+
+def cells_in_optional(centres, objects):
+    """batch x cells (bool): whether a cell's centre lies in an object that may be found or not."""
+    return (cells_inside(centres, objects.boxes) & objects.optional[:, :, None]).any(1)
 
 
 @torch.no_grad()

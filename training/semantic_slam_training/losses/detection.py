@@ -3,7 +3,7 @@
 import torch
 from torch.nn import functional
 
-from semantic_slam_training.losses.assignment import assign
+from semantic_slam_training.losses.assignment import assign, cells_in_optional
 from semantic_slam_training.losses.boxes import complete_iou
 from semantic_slam_training.models.yolov8 import BINS
 
@@ -41,7 +41,8 @@ def distribution_focal_loss(sides, distances):
 
 
 def detection_loss(sides, scores, objects, centres, strides):
-    """The three parts of the loss, weighted, by name. Each is per image's worth of assigned scores.
+    """The three parts of the loss, weighted, by name. Each is per image's worth of assigned scores. Cells in an
+    optional object that find no other may have any score.
 
     sides: batch x (4 x bins) x cells and scores: batch x classes x cells, as YoloV8 gives them; centres
     [px] and strides [px] as cell_centres() does.
@@ -55,7 +56,8 @@ def detection_loss(sides, scores, objects, centres, strides):
     weights = targets.scores.sum(-1)[found]
     overlaps = complete_iou(boxes[found], targets.boxes[found])
     wanted = distances_to(targets.boxes, centres, strides)[found]
-    classes = functional.binary_cross_entropy_with_logits(scores, targets.scores, reduction="sum")
+    judged = found | ~cells_in_optional(centres, objects)
+    classes = functional.binary_cross_entropy_with_logits(scores[judged], targets.scores[judged], reduction="sum")
     return {
         "box": BOX_WEIGHT * ((1 - overlaps) * weights).sum() / total,
         "class": CLASS_WEIGHT * classes / total,

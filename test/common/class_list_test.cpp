@@ -1,4 +1,4 @@
-#include "semantic_slam/network_evaluation/class_list.h"
+#include "semantic_slam/common/class_list.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include "testing/expect_error.h"
 #include "testing/small_vocabulary.h"
 #include "testing/temporary_folder.h"
-#include "testing/tiny_networks.h"
 
 namespace semantic_slam {
 namespace {
@@ -30,6 +29,15 @@ TEST(ClassListTest, MergedLabelsCountAsTheirClassAndTheRestIsIgnored) {
   for (const int id : {0, 2, 9, 100, 255}) EXPECT_EQ(classes.of_label[id], kIgnoredClass) << id;
 }
 
+TEST(ClassListTest, OptionalLabelsAreIgnoredAndMarked) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("classes.yaml", "classes: [chair]\noptional: [table]\n");
+  const ClassList classes = ReadClassList(path, SmallVocabulary());
+  EXPECT_EQ(classes.of_label[4], kIgnoredClass);
+  EXPECT_TRUE(classes.is_optional[4]);
+  EXPECT_EQ(classes.is_optional.count(), 1u);
+}
+
 TEST(ClassListTest, UnknownIsAClassIfTheFileSaysSo) {
   const TemporaryFolder folder;
   const std::string path = folder.Write("classes.yaml", "classes: [unknown]\nmerge:\n");
@@ -44,45 +52,22 @@ TEST(ClassListTest, RefusesWhatItCannotCount) {
   ExpectOneLineWith(ErrorOf("classes: [wall]\nmerge: {chair: table}"), {"'table'", "none of"});
   ExpectOneLineWith(ErrorOf("classes: [wall]\nmerge: {cooker: wall}"), {"'cooker'", "vocabulary"});
   ExpectOneLineWith(ErrorOf("classes: [wall]\nmerge: [chair]"), {"merge", "mapping"});
+  ExpectOneLineWith(ErrorOf("classes: [wall]\noptional: [cooker]"), {"'cooker'", "vocabulary"});
+  ExpectOneLineWith(ErrorOf("classes: [wall]\noptional: [wall]"), {"optional", "'wall'"});
   ExpectOneLineWith(ErrorOf("classes: [wall]\nclases: [floor]"), {"clases"});
 }
 
 // Every list that training has can be read, and each of its classes counts as itself.
 TEST(ClassListTest, ReadsTheListsOfTraining) {
+  const std::string repository = SEMANTIC_SLAM_SOURCE_DIR;
+  const auto vocabulary = LabelVocabulary::Load(repository + "/config/labels.yaml");
   for (const std::string name : {"indoor", "furniture", "sun_rgbd", "appearance"}) {
     const ClassList classes =
-        ReadClassList(SEMANTIC_SLAM_SOURCE_DIR "/training/classes/" + name + ".yaml", Vocabulary());
+        ReadClassList(repository + "/training/classes/" + name + ".yaml", vocabulary);
     for (std::size_t c = 0; c < classes.size(); ++c) {
-      EXPECT_EQ(classes.of_label[LabelOf(classes.names[c])], static_cast<int>(c)) << name;
+      EXPECT_EQ(classes.of_label[*vocabulary.Find(classes.names[c])], static_cast<int>(c)) << name;
     }
   }
-}
-
-TEST(ClassListTest, WithoutAFileTheNetworksLabelsCount) {
-  // Its classes map to wall, chair, plant and tv.
-  const ClassList classes = ClassesOfModel(ColourSegmenter(), Vocabulary());
-  EXPECT_EQ(classes.names, (std::vector<std::string>{"wall", "chair", "tv", "plant"}));
-  EXPECT_EQ(classes.of_label[kUnknownLabel], kIgnoredClass);
-}
-
-TEST(ClassListTest, RefusesANetworkWithoutLabels) {
-  Model model = ColourSegmenter();
-  model.card.label_map.clear();
-  model.classes = {"x", "y"};
-  const std::string message = MessageOf<ConfigError>([&] { ClassesOfModel(model, Vocabulary()); });
-  ExpectOneLineWith(message, {"colour_segmenter.yaml", "none of its classes"});
-}
-
-TEST(ClassListTest, NamesAreUnderstoodAsTheCardSaysThenByThemselves) {
-  ModelCard card;
-  card.label_map = {{"couch", "sofa"}, {"kite", "unknown"}};
-  EXPECT_EQ(LabelOfName("couch", card, Vocabulary()), LabelOf("sofa"));
-  EXPECT_EQ(LabelOfName("kite", card, Vocabulary()), kUnknownLabel);
-  EXPECT_EQ(LabelOfName("chair", card, Vocabulary()), LabelOf("chair"));
-  EXPECT_EQ(LabelOfName(" Coffee Table", card, Vocabulary()), LabelOf("coffee_table"));
-  EXPECT_EQ(LabelOfName("coffee-table", card, Vocabulary()), LabelOf("coffee_table"));
-  EXPECT_EQ(LabelOfName("spaceship", card, Vocabulary()), kUnknownLabel);
-  EXPECT_EQ(LabelOfName(" ", card, Vocabulary()), kUnknownLabel);
 }
 
 }  // namespace
