@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "semantic_slam/camera/camera_config.h"
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/evaluation/trajectory_plot.h"
 #include "semantic_slam/ground_truth/map_comparison_picture.h"
 #include "semantic_slam/ground_truth/map_evaluation.h"
@@ -35,10 +36,22 @@ struct Arguments {
   std::string truth;
   std::string labels;
   std::string camera;
+  std::optional<std::string> voxel_classes;
+  std::optional<std::string> object_classes;
   std::optional<std::string> plot;
   bool json = false;
-  MapEvaluationOptions options;
 };
+
+MapEvaluationOptions OptionsOf(const Arguments& arguments, const LabelVocabulary& vocabulary) {
+  MapEvaluationOptions options;
+  if (arguments.voxel_classes) {
+    options.voxel_classes = ReadClassList(*arguments.voxel_classes, vocabulary);
+  }
+  if (arguments.object_classes) {
+    options.object_classes = ReadClassList(*arguments.object_classes, vocabulary);
+  }
+  return options;
+}
 
 // nullopt after printing the help.
 std::optional<Arguments> ParseArguments(CommandLine& command_line) {
@@ -53,9 +66,13 @@ std::optional<Arguments> ParseArguments(CommandLine& command_line) {
                       "tells which objects were in view; default: config/simulated_d455.yaml");
   command_line.Option("labels", "LABELS.yaml", &arguments.labels,
                       "the vocabulary; default: config/labels.yaml");
-  command_line.Option("classes", "LIST", &arguments.options.object_classes,
-                      "of objects that the map should hold, separated by commas; default: all but "
-                      "people and animals");
+  command_line.Option(
+      "voxel-classes", "CLASSES.yaml", &arguments.voxel_classes,
+      "what the voxels' labels count as, like training/classes/indoor.yaml; default: "
+      "each as itself");
+  command_line.Option("object-classes", "CLASSES.yaml", &arguments.object_classes,
+                      "of objects that the map should hold, like training/classes/furniture.yaml; "
+                      "default: all but people and animals");
   command_line.Option("plot", "FILE.png", &arguments.plot, "draw the truth beside the maps");
   command_line.Flag("json", &arguments.json, "print JSON instead of a table");
   if (!command_line.Parse()) return std::nullopt;
@@ -76,7 +93,7 @@ int Evaluate(CommandLine& command_line) {
   const Trajectory truth =
       ReadTumTrajectory(arguments->truth.empty() ? own_truth.string() : arguments->truth);
   const MapEvaluation evaluation =
-      EvaluateMaps(world, vocabulary, truth, camera, outputs, arguments->options);
+      EvaluateMaps(world, vocabulary, truth, camera, outputs, OptionsOf(*arguments, vocabulary));
   if (arguments->plot)
     WritePlot(DrawMapComparison(evaluation, outputs, vocabulary), *arguments->plot);
   if (arguments->json) {

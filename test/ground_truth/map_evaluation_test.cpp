@@ -6,6 +6,7 @@
 #include "semantic_slam/common/error.h"
 #include "testing/expect_error.h"
 #include "testing/small_room.h"
+#include "testing/temporary_folder.h"
 
 namespace semantic_slam {
 namespace {
@@ -81,14 +82,28 @@ TEST(MapEvaluationTest, WhatWasNotMadeIsNotScored) {
 
 TEST(MapEvaluationTest, OnlyTheClassesAskedForCount) {
   MapEvaluationOptions options = SmallEvaluation();
-  options.object_classes = "lamp, chair";
+  const TemporaryFolder folder;
+  options.object_classes =
+      ReadClassList(folder.Write("classes.yaml", "classes: [lamp, chair]"), SmallVocabulary());
   RunOutputs run = PerfectRun();
   run.objects->objects.clear();
   const MapEvaluation evaluation = Evaluate(run, options);
   EXPECT_EQ(evaluation.objects->expected, 1u);
-  options.object_classes = "unicorn";
-  ExpectOneLineWith(MessageOf<ConfigError>([&] { Evaluate(run, options); }),
-                    {"object_classes", "unicorn"});
+}
+
+TEST(MapEvaluationTest, MergedClassesAreOne) {
+  MapEvaluationOptions options = SmallEvaluation();
+  RunOutputs run = PerfectRun();
+  for (MapObject& object : run.objects->objects) {
+    LabelId& label = object.labels.front().label;
+    if (label == SmallVocabulary().Find("table")) label = *SmallVocabulary().Find("chair");
+  }
+  EXPECT_EQ(Evaluate(run, options).objects->right_class(), 1u);
+  const TemporaryFolder folder;
+  options.object_classes =
+      ReadClassList(folder.Write("classes.yaml", "classes: [lamp, chair]\nmerge: {table: chair}"),
+                    SmallVocabulary());
+  EXPECT_EQ(Evaluate(run, options).objects->right_class(), 2u);
 }
 
 TEST(MapEvaluationTest, WhatNobodySawIsNotExpected) {

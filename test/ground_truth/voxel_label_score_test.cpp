@@ -71,6 +71,25 @@ TEST(VoxelLabelScoreTest, FollowsTheMapsPose) {
   EXPECT_EQ(Score(tree, T_world_map).all.right, 1u);
 }
 
+TEST(VoxelLabelScoreTest, LabelsCountAsTheirClass) {
+  SemanticOcTree tree(0.05);
+  AddVoxel(tree, {1.02, 1.02, 0.02}, kFloor);  // is floor, which counts as wall
+  AddVoxel(tree, {1.22, 1.02, 0.02}, kWall);   // the same
+  AddVoxel(tree, {1.42, 1.02, 0.02}, kChair);  // counts as nothing
+  AddVoxel(tree, {2.02, 1.52, 0.72}, kTable);  // is a table, which does not count
+  ClassList classes;
+  classes.Add("wall", kWall);
+  classes.of_label[kFloor] = classes.of_label[kWall];
+  const VoxelLabelScore score =
+      ScoreVoxelLabels(tree, Rigid3d::Identity(), SurfaceLabels(SmallWorld()), &classes);
+  EXPECT_EQ(score.occupied, 4u);
+  EXPECT_EQ(score.not_counted, 1u);
+  EXPECT_EQ(score.unlabelled, 1u);
+  EXPECT_EQ(score.all.voxels, 3u);
+  EXPECT_EQ(score.all.right, 2u);
+  EXPECT_EQ(score.by_class.size(), 1u);
+}
+
 TEST(VoxelLabelScoreTest, SortsByObservations) {
   SemanticOcTree tree(0.05);
   const int observations[] = {1, 2, 3, 4, 15, 16, 40, 63};

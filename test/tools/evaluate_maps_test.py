@@ -138,7 +138,7 @@ def test_draws_a_picture(evaluate, perfect, tmp_path):
 def test_tells_what_is_wrong(evaluate, perfect, tmp_path):
     empty = tmp_path / "empty"
     empty.mkdir()
-    for out, options, message in ((empty, (), "trajectory.txt"), (perfect, ("--classes", "unicorn"), "unicorn"),
+    for out, options, message in ((empty, (), "trajectory.txt"), (perfect, ("--object-classes", empty / "missing.yaml"), "missing.yaml"),
                                   (perfect, ("--plot", "plot.jpg"), "must end in .png")):
         result = evaluate(out, *options)
         assert result.returncode == 1

@@ -18,9 +18,11 @@ constexpr double kReachM = 2.0;  // from a camera to what it sees
 // By label.
 std::vector<bool> ClassesOfInterest(const MapEvaluationOptions& options,
                                     const LabelVocabulary& vocabulary) {
-  std::vector<bool> is_of_interest(256, options.object_classes.empty());
-  for (const LabelId label : FindLabels("object_classes", options.object_classes, vocabulary)) {
-    is_of_interest[label] = true;
+  std::vector<bool> is_of_interest(256, true);
+  if (options.object_classes) {
+    for (int label = 0; label < 256; ++label) {
+      is_of_interest[label] = options.object_classes->of_label[label] != kIgnoredClass;
+    }
   }
   for (const LabelId label : FindLabels("ignored_classes", options.ignored_classes, vocabulary)) {
     is_of_interest[label] = false;
@@ -68,7 +70,9 @@ class Evaluator {
 
   MapEvaluation Run() && {
     if (outputs_.tree) {
-      result_.voxels = ScoreVoxelLabels(*outputs_.tree, result_.T_world_map, surfaces_);
+      result_.voxels =
+          ScoreVoxelLabels(*outputs_.tree, result_.T_world_map, surfaces_,
+                           options_.voxel_classes ? &*options_.voxel_classes : nullptr);
     }
     if (outputs_.objects) ScoreObjectMap();
     if (outputs_.grid) {
@@ -93,14 +97,25 @@ class Evaluator {
     }
   }
 
+  // By the classes that their labels count as.
+  std::vector<MapObject> AsCounted(std::vector<MapObject> objects) const {
+    if (!options_.object_classes) return objects;
+    for (MapObject& object : objects) {
+      LabelId& label = object.labels.front().label;
+      const int c = options_.object_classes->of_label[label];
+      if (c != kIgnoredClass) label = options_.object_classes->labels[c];
+    }
+    return objects;
+  }
+
   // Estimated objects of classes that are not asked for are no errors.
   void ScoreObjectMap() {
     std::vector<MapObject> estimate;
     for (const MapObject& object : outputs_.objects->objects) {
       if (is_of_interest_[ClassOf(object)]) estimate.push_back(object);
     }
-    result_.objects = ScoreObjects(result_.true_objects, estimate, result_.T_world_map,
-                                   result_.is_expected, options_.objects);
+    result_.objects = ScoreObjects(AsCounted(result_.true_objects), AsCounted(estimate),
+                                   result_.T_world_map, result_.is_expected, options_.objects);
   }
 
   // Whether an object costs anything at the flight height.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "semantic_slam/camera/camera_model.h"
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/common/options.h"
 #include "semantic_slam/evaluation/trajectory_report.h"
@@ -21,9 +22,12 @@
 namespace semantic_slam {
 
 struct MapEvaluationOptions {
-  // Classes of objects that a map should hold, separated by commas; empty: all but the ignored
-  // ones. Those of others are neither missed nor extra.
-  std::string object_classes;
+  // What voxels' labels count as; those that do not, count neither for nor against the map.
+  // Without: each as itself.
+  std::optional<ClassList> voxel_classes;
+  // Classes of objects that a map should hold; without: all but the ignored ones. Those of others
+  // are neither missed nor extra.
+  std::optional<ClassList> object_classes;
   std::string ignored_classes = ObjectMapperOptions().ignored_classes;
   int min_views = 3;           // poses that an object must be seen from, to be expected in the map
   double flight_band_m = 0.2;  // above and below the flight height: what a planar scan sees
@@ -34,7 +38,6 @@ struct MapEvaluationOptions {
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
-    visit("object_classes", self.object_classes);
     visit("ignored_classes", self.ignored_classes);
     visit("min_views", self.min_views, 1, 1000);
     visit("flight_band_m", self.flight_band_m, 0.01, 10.0);

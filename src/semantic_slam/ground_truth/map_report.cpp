@@ -35,6 +35,7 @@ Json ToJson(const VoxelLabelScore& score, const LabelVocabulary& vocabulary) {
   Json json;
   json["occupied"] = score.occupied;
   json["without_surface"] = Share(score.without_surface, score.occupied);
+  json["not_counted"] = Share(score.not_counted, score.occupied);
   json["unlabelled"] = Share(score.unlabelled, score.all.voxels);
   json["right"] = score.all.share();
   json["strict"] = score.strict.share();

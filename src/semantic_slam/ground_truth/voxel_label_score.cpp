@@ -1,7 +1,9 @@
 #include "semantic_slam/ground_truth/voxel_label_score.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "semantic_slam/octree/occupied_voxels.h"
@@ -23,10 +25,28 @@ void Count(bool is_right, VoxelCount& count) {
   count.right += is_right;
 }
 
+// By label: the one that it counts as; unknown if it does not.
+using LabelTable = std::array<LabelId, 256>;
+
+LabelTable TableOf(const ClassList* classes) {
+  LabelTable table;
+  for (int id = 0; id < 256; ++id) {
+    const auto label = static_cast<LabelId>(id);
+    const int c = classes ? classes->of_label[label] : kIgnoredClass;
+    table[label] = !classes ? label : c == kIgnoredClass ? kUnknownLabel : classes->labels[c];
+  }
+  return table;
+}
+
 // `nearby` is not empty.
-void AddVoxel(const CompactLabels& labels, const std::vector<NearbySurface>& nearby, double edge_m,
-              VoxelLabelScore& score) {
-  const LabelId label = labels.label(0);
+void AddVoxel(const CompactLabels& labels, std::vector<NearbySurface> nearby,
+              const LabelTable& counts_as, double edge_m, VoxelLabelScore& score) {
+  const LabelId label = counts_as[labels.label(0)];
+  for (NearbySurface& surface : nearby) surface.label = counts_as[surface.label];
+  if (nearby.front().label == kUnknownLabel) {
+    ++score.not_counted;
+    return;
+  }
   const double radius_m = std::max(0.5 * std::sqrt(3.0) * edge_m, nearby.front().distance_m);
   const bool is_right =
       std::any_of(nearby.begin(), nearby.end(), [&](const NearbySurface& surface) {
@@ -46,18 +66,19 @@ double VoxelCount::share() const {
 }
 
 VoxelLabelScore ScoreVoxelLabels(const SemanticOcTree& tree, const Rigid3d& T_world_map,
-                                 const SurfaceLabels& surfaces) {
+                                 const SurfaceLabels& surfaces, const ClassList* classes) {
   VoxelLabelScore score;
+  const LabelTable counts_as = TableOf(classes);
   const double edge_m = tree.getResolution();
   ForEachOccupiedVoxel(tree, [&](const octomap::OcTreeKey& key, const SemanticNode& node) {
     ++score.occupied;
     const octomap::point3d centre = tree.keyToCoord(key);
     const Eigen::Vector3d point(centre.x(), centre.y(), centre.z());
-    const auto nearby = surfaces.Around(T_world_map * point, edge_m);
+    auto nearby = surfaces.Around(T_world_map * point, edge_m);
     if (nearby.empty()) {
       ++score.without_surface;
     } else {
-      AddVoxel(node.labels(), nearby, edge_m, score);
+      AddVoxel(node.labels(), std::move(nearby), counts_as, edge_m, score);
     }
   });
   return score;

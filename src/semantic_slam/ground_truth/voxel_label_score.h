@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 
+#include "semantic_slam/common/class_list.h"
 #include "semantic_slam/common/transform.h"
 #include "semantic_slam/ground_truth/surface_labels.h"
 #include "semantic_slam/octree/semantic_octree.h"
@@ -29,15 +30,17 @@ struct VoxelLabelScore {
 
   std::size_t occupied = 0;
   std::size_t without_surface = 0;  // of those: farther than an edge from any surface
+  std::size_t not_counted = 0;      // of those: the nearest surface's label is none of the classes
   std::size_t unlabelled = 0;       // of those with a surface: no class is known; never right
-  VoxelCount all;                   // of those with a surface
+  VoxelCount all;                   // of those with a surface that counts
   VoxelCount strict;                // the same, where only the nearest surface's class is right
   std::map<LabelId, VoxelCount> by_class;  // of the nearest surface
   std::array<VoxelCount, kObservationBins> by_observations;
 };
 
-// Compares a map that lies at T_world_map with its world's surfaces.
+// Compares a map that lies at T_world_map with its world's surfaces. With `classes` labels count as
+// those say, in the map and in the world; without, each as itself.
 VoxelLabelScore ScoreVoxelLabels(const SemanticOcTree& tree, const Rigid3d& T_world_map,
-                                 const SurfaceLabels& surfaces);
+                                 const SurfaceLabels& surfaces, const ClassList* classes = nullptr);
 
 }  // namespace semantic_slam
