@@ -1,6 +1,7 @@
 """The commands of training/: from a set to a model card, and one line on what is wrong."""
 
 import importlib
+import json
 import sys
 
 import needs_torch  # noqa: F401
@@ -9,7 +10,8 @@ from tiny_sets import write_rendered, write_yolo_folder
 
 from semantic_slam_training.errors import run_command
 
-COMMANDS = ("train_segmentation", "train_detection", "train_appearance", "export", "compare_segmentation")
+COMMANDS = ("train_segmentation", "train_detection", "train_appearance", "export", "compare_segmentation",
+            "evaluate_appearance")
 QUICK = ("--steps 2 --batch-size 2 --checkpoint-every 1 --validate-every 2 --validation-images 2 --threads 1 "
          "--device cpu").split()
 
@@ -70,6 +72,17 @@ def test_appearance_on_a_rendered_set(run, tmp_path, capsys):
     assert run("train_appearance", "--data", rooms, "--validation", rooms, "--out", tmp_path / "run", *options,
                *QUICK) is None
     assert "auc" in capsys.readouterr().err
+    assert run("export", tmp_path / "run/checkpoint.pt", "--name", "looks", "--out", tmp_path / "models") is None
+    evaluate = ("evaluate_appearance", "--card", tmp_path / "models/looks.yaml", "--classes", classes, "--least-side",
+                10, "--output", tmp_path / "out", rooms)
+    assert run(*evaluate) is None
+    assert "4 crops of 2 objects: AUC" in capsys.readouterr().out
+    measured = json.loads((tmp_path / "out/appearance.json").read_text())
+    assert 0 <= measured["auc"] <= 1
+    assert run("export", tmp_path / "models/looks.pt", "--name", "looks", "--out", tmp_path / "models", "--evaluation",
+               tmp_path / "out/appearance.json") is None
+    card = (tmp_path / "models/looks.yaml").read_text()
+    assert f"#   auc: {measured['auc']:.4f}\n" in card and "training has not seen" in card
 
 
 def test_comparison_leaves_table_and_picture(run, rooms, tmp_path, capsys):
@@ -88,10 +101,14 @@ def test_comparison_leaves_table_and_picture(run, rooms, tmp_path, capsys):
     ("train_segmentation --data {rooms} --out {out} --classes /etc/hostname", "/etc/hostname"),
     ("train_detection --data {rooms} --out {out} --size 320x240", "--size 320x240: expected multiples of 32 px"),
     ("export /nonexistent.pt --name x", "/nonexistent.pt: no such checkpoint"),
+    ("export /nonexistent.pt --name x --evaluation /etc/hostname", "/etc/hostname: not JSON"),
+    ("evaluate_appearance --card /nonexistent.yaml {rooms}", "/nonexistent.yaml"),
+    ("evaluate_appearance --card {card} {rooms}", "head: {type: reid}"),
     ("compare_segmentation --data {rooms} --out {out}", "--validation: expected a set to compare on"),
 ])
-def test_what_is_wrong_is_said_in_one_line(run, rooms, tmp_path, line, words):
-    name, *arguments = line.format(rooms=rooms, out=tmp_path / "out").split()
+def test_what_is_wrong_is_said_in_one_line(run, rooms, tmp_path, repository, line, words):
+    card = repository / "config/cards/yolov8n_coco_320x256.yaml"
+    name, *arguments = line.format(rooms=rooms, out=tmp_path / "out", card=card).split()
     message = run(name, *arguments)
     assert message.startswith(f"{name}.py: ") and words in message and "\n" not in message
 

@@ -83,9 +83,18 @@ def test_the_card_says_what_the_package_must_know(tmp_path):
 def test_the_checkpoint_beside_the_card_can_be_exported_again(tmp_path):
     export.export(content_of(LOOKS), "looks", tmp_path)
     half = checkpoint.load(tmp_path / "looks.pt")
-    assert all(tensor.dtype != torch.float32 for tensor in half["weights"].values())
+    assert all(tensor.dtype == torch.float16 for tensor in half["weights"].values() if tensor.ndim > 1)
     export.export(half, "again", tmp_path)
+    assert sha256(tmp_path / "again.onnx") == sha256(tmp_path / "looks.onnx")
     assert "labels" not in yaml.safe_load((tmp_path / "again.yaml").read_text())
+
+
+def test_the_card_tells_what_an_evaluation_measured(tmp_path):
+    measured = {"images": 3, "map50": 0.75, "at_best_f1": {"threshold": 0.4, "precision": 0.9, "recall": None},
+                "classes": {"wall": {"iou": 0.5, "recall": 0.6}, "chair": {"iou": None}}}
+    export.export(content_of(LOOKS), "looks", tmp_path, measured)
+    comment = [line for line in (tmp_path / "looks.yaml").read_text().splitlines() if line.startswith("#   ")]
+    assert comment == ["#   map50: 0.7500", "#   threshold: 0.4000", "#   precision: 0.9000", "#   iou_wall: 0.5000"]
 
 
 def test_names_are_mapped_to_the_vocabulary_where_they_differ():

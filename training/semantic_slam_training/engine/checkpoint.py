@@ -37,11 +37,15 @@ def load(path):
 
 
 def to_half(tensor):
-    return tensor.half() if tensor.is_floating_point() else tensor
+    """Matrices and kernels; vectors, such as the statistics of normalisation, are small and stay as they are."""
+    return tensor.half() if tensor.is_floating_point() and tensor.ndim > 1 else tensor
 
 
 def half_of(content):
-    """A checkpoint of the averaged weights alone, in half precision: small, and training can go on from it."""
+    """A checkpoint of the averaged weights alone, in half precision: small, and training can go on from it. One
+    that is so already stays as it is."""
+    if "weights" in content:
+        return content
     kept = {key: content[key] for key in ("spec", "step", "seconds", "about")}
     figures = [entry for entry in content["history"] if "figures" in entry]
     return dict(kept, history=figures, weights={name: to_half(tensor) for name, tensor in content["average"].items()})
