@@ -1,5 +1,7 @@
 """engine/: losses fall, and training that was stopped goes on as if it had not been."""
 
+import dataclasses
+
 import needs_torch  # noqa: F401
 import pytest
 import torch
@@ -115,6 +117,19 @@ def test_a_half_checkpoint_is_small_and_training_goes_on_from_it(tmp_path):
         assert torch.allclose(value.float(), full["average"][name].float(), rtol=1e-3, atol=1e-4)  # 11 bits
     run.run()
     assert run.is_finished()
+
+
+def test_training_may_begin_on_images_of_another_size(tmp_path):
+    trainer(tmp_path / "small", settings(minutes=ONE_STEP)).run()
+    larger = dataclasses.replace(SPEC, input=InputFormat(96, 64))
+    run = trainer(tmp_path / "large", spec=larger)
+    run.start_from(tmp_path / "small/checkpoint.pt")
+    assert run.state.step == 1
+    run.run()
+    content = checkpoint.half_of(checkpoint.load(tmp_path / "large/checkpoint.pt"))
+    assert {"step": 1, "input": [64, 48]} in content["history"]
+    with pytest.raises(TrainingError, match="its network has input"):
+        trainer(tmp_path / "large")
 
 
 def test_a_checkpoint_of_another_network_is_refused(tmp_path):

@@ -47,8 +47,8 @@ def half_of(content):
     if "weights" in content:
         return content
     kept = {key: content[key] for key in ("spec", "step", "seconds", "about")}
-    figures = [entry for entry in content["history"] if "figures" in entry]
-    return dict(kept, history=figures, weights={name: to_half(tensor) for name, tensor in content["average"].items()})
+    history = [entry for entry in content["history"] if "losses" not in entry]
+    return dict(kept, history=history, weights={name: to_half(tensor) for name, tensor in content["average"].items()})
 
 
 def full_weights(content):

@@ -56,11 +56,17 @@ class TrainingState:
                 "network": self.network.state_dict(), "average": self.average.state_dict(),
                 "optimizer": self.optimizer.state_dict()["state"]}
 
-    def restore(self, path):
-        """Goes on from a full checkpoint as if nothing had been, or from a half one with new moments."""
+    def restore(self, path, other_input=False):
+        """Goes on from a full checkpoint as if nothing had been, or from a half one with new moments.
+
+        `other_input`: whether it may have been trained on images of another size.
+        """
         content = checkpoint.load(path)
-        self.check_spec(path, NetworkSpec.from_dict(content["spec"]))
+        spec = NetworkSpec.from_dict(content["spec"])
+        self.check_spec(path, spec, other_input)
         self.step, self.seconds, self.history = content["step"], content["seconds"], content["history"]
+        if spec.input.size != self.spec.input.size:
+            self.history.append({"step": self.step, "input": list(spec.input.size)})
         if "weights" in content:
             self.network.load_state_dict(checkpoint.full_weights(content))
             self.average.load_state_dict(checkpoint.full_weights(content))
@@ -71,8 +77,8 @@ class TrainingState:
             self.optimizer.load_state_dict({**self.optimizer.state_dict(), "state": content["optimizer"]})
             self.moments_since = content["moments_since"]
 
-    def check_spec(self, path, spec):
+    def check_spec(self, path, spec, other_input):
         found, wanted = spec.to_dict(), self.spec.to_dict()
         for key, value in wanted.items():
-            if found[key] != value:
+            if found[key] != value and not (other_input and key == "input"):
                 raise TrainingError(f"{path}: its network has {key} {found[key]}, but {value} is asked for")

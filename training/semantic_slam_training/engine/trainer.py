@@ -80,9 +80,10 @@ class Trainer:
         return self.folder / checkpoint.FULL_NAME
 
     def start_from(self, path):
-        """Begins with the weights and at the step of another checkpoint, unless the folder has one."""
+        """Begins with the weights and at the step of another checkpoint, unless the folder has one. That may have been
+        trained on images of another size."""
         if not self.path.exists():
-            self.state.restore(path)
+            self.state.restore(path, other_input=True)
 
     def run(self):
         """Trains to the last step or until time is up; returns the latest figures of validation."""

@@ -95,8 +95,11 @@ def figures_lines(figures):
 def comment(spec, content, figures):
     """What was trained on what, for how long, and how well it does."""
     width = f" of width {spec.width:g}" if spec.task != DETECTION else ""
+    sizes = [f", to step {entry['step']} at {entry['input'][0]}x{entry['input'][1]} px"
+             for entry in content["history"] if "input" in entry]
     lines = textwrap.wrap(f"{spec.architecture}{width}, trained from random weights by training/train_{spec.task}.py: "
-                          f"{content['step']} steps in {content['seconds'] / 3600:.1f} h on {content['about']}.", 106)
+                          f"{content['step']} steps in {content['seconds'] / 3600:.1f} h on {content['about']}"
+                          f"{''.join(sizes)}.", 106)
     if figures.values is None:
         lines.append("Not validated.")
     else:
