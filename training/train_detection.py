@@ -20,6 +20,7 @@ from semantic_slam_training.engine.trainer import Trainer
 from semantic_slam_training.errors import run_command
 from semantic_slam_training.models.yolov8 import SIZES, STRIDES
 
+PIXEL_CLASSES = pathlib.Path(__file__).parent / "classes/indoor.yaml"
 CLASSES = pathlib.Path(__file__).parent / "classes/furniture.yaml"
 
 
@@ -30,13 +31,15 @@ def parse_arguments():
     parser.add_argument("--network", choices=[f"yolov8{size}" for size in SIZES], default="yolov8n",
                         help="(default: %(default)s)")
     parser.add_argument("--size", default="384x288", help="of the network's input [px] (default: %(default)s)")
+    parser.add_argument("--pixel-classes", type=pathlib.Path, default=PIXEL_CLASSES, metavar="FILE.yaml",
+                        help="of rendered sets the network learns what each pixel shows too (default: %(default)s)")
     options.add_setting_arguments(parser, steps=16000, batch_size=8, learning_rate=1e-3)
     return parser.parse_args()
 
 
 def open_sets(arguments):
     """The training set and the one to validate on, or None."""
-    training = open_detection(arguments.data, "train", arguments.classes)
+    training = open_detection(arguments.data, "train", arguments.classes, arguments.pixel_classes)
     held_out = validation_roots(arguments)
     return training, held_out and open_detection(held_out, "val", arguments.classes)
 
@@ -50,7 +53,8 @@ def main():
     frame = unscaled_input(*size)
     task = DetectionTask(DetectionSamples(training, frame, Augmentation(), settings.seed),
                          validation and DetectionSamples(validation, frame), settings)
-    spec = NetworkSpec(DETECTION, arguments.network, 1.0, training.names, frame)
+    pixel_classes = len(training.pixel_classes.names) if training.pixel_classes else 0
+    spec = NetworkSpec(DETECTION, arguments.network, 1.0, training.names, frame, pixel_classes=pixel_classes)
     trainer = Trainer(task, spec, settings, arguments.out, options.describe(arguments, f"{len(training)} images"))
     if arguments.start:
         trainer.start_from(arguments.start)

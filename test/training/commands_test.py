@@ -8,6 +8,7 @@ import needs_torch  # noqa: F401
 import pytest
 from tiny_sets import write_rendered, write_yolo_folder
 
+from semantic_slam_training.engine import checkpoint
 from semantic_slam_training.errors import run_command
 
 COMMANDS = ("train_segmentation", "train_detection", "train_appearance", "export", "compare_segmentation",
@@ -54,6 +55,15 @@ def test_segmentation_from_a_rendered_set_to_a_card(run, rooms, tmp_path, capsys
     assert {path.name for path in (tmp_path / "models").iterdir()} == {
         "rooms.onnx", "rooms.names", "rooms.yaml", "rooms.pt"}
     assert run(*train[:6], tmp_path / "next", *train[7:], "--start", tmp_path / "models/rooms.pt") is None
+
+
+def test_detection_on_a_rendered_set_learns_pixels_too(run, rooms, tmp_path, capsys):
+    assert run("train_detection", "--data", rooms, "--out", tmp_path / "run", "--size", "64x64", *QUICK, "--minutes",
+               1e-9) is None
+    history = checkpoint.load(tmp_path / "run/checkpoint.pt")
+    assert history["spec"]["pixel_classes"] == 22
+    assert run("export", tmp_path / "run/checkpoint.pt", "--name", "rooms", "--out", tmp_path / "models") is None
+    assert "3.01 M parameters" in capsys.readouterr().out  # YOLOv8n's own
 
 
 def test_detection_on_a_yolo_folder(run, tmp_path, capsys):

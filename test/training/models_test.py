@@ -54,6 +54,14 @@ def test_maxima_are_marked_once_per_square():
     assert mask.tolist() == [[[[0, 0, 1, 0], [1, 0, 0, 0]]]]
 
 
+def test_yolov8_tells_pixels_in_training_only():
+    network = YoloV8(2, "n", pixel_classes=5)
+    images = torch.zeros(2, 3, 64, 96)
+    assert network.train()(images)[2].shape == (2, 5, 8, 12)
+    assert len(network.eval()(images)) == 2
+    assert len(YoloV8(2, "n").train()(images)) == 2
+
+
 @pytest.mark.parametrize("size, published", [("n", 3_157_200), ("s", 11_166_560)])
 def test_yolov8_is_as_large_as_published(size, published):
     # The published count includes the 16 constants of the distribution.

@@ -42,10 +42,16 @@ def test_rendered_pixels_have_classes(rendered, classes):
 
 def test_rendered_boxes_of_other_labels_are_left_out(rendered, classes):
     root, boxes = rendered
-    image, found, kinds = RenderedDetection([root], classes).read(1)
+    image, found, kinds, labels = RenderedDetection([root], classes).read(1)
     assert image.shape == (48, 64, 3)
     assert found.tolist() == [pytest.approx(boxes[1], abs=1e-3)]  # six digits in the file
-    assert kinds.tolist() == [0]
+    assert kinds.tolist() == [0] and labels is None
+
+
+def test_rendered_boxes_may_come_with_pixels_classes(rendered, classes):
+    root, boxes = rendered
+    labels = RenderedDetection([root], classes, pixel_classes=classes).read(1)[3]
+    assert np.array_equal(labels, fill(labels.shape, boxes[1], 0, IGNORE, np.uint8))
 
 
 def test_rendered_boxes_of_optional_labels_are_marked(rendered, classes):
@@ -115,9 +121,10 @@ def test_yolo_folder(tmp_path):
     data_file, boxes = write_yolo_folder(tmp_path, 2)
     dataset = YoloFolder(data_file, "val")
     assert dataset.names == ("table", "big chair") and len(dataset) == 2
-    image, found, kinds = dataset.read(1)
+    image, found, kinds, labels = dataset.read(1)
     assert np.array_equal(image, scene(1)[0])
     assert found.tolist() == [pytest.approx(boxes["val"][1], abs=1e-3)] and kinds.tolist() == [1]
+    assert labels is None
 
 
 def test_yolo_folder_with_a_polygon_and_without_a_file(tmp_path):

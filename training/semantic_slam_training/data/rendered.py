@@ -70,9 +70,11 @@ def boxes_file(image):
 
 
 class RenderedDetection:
-    """Images and the boxes of the objects in them."""
+    """Images and the boxes of the objects in them; with `pixel_classes` also the class of each of their pixels."""
 
-    def __init__(self, roots, classes):
+    def __init__(self, roots, classes, pixel_classes=None):
+        self.pixel_classes = pixel_classes
+        self._labels = dict(pairs(roots, "labels")) if pixel_classes else {}
         self.names = classes.names
         self._of_label = classes.of_label.astype(np.int64)
         self._of_label[sorted(classes.optional)] = OPTIONAL
@@ -87,7 +89,7 @@ class RenderedDetection:
 
     def read(self, index):
         """Colour image, boxes n x 4 [px] (left, top, right, bottom; float32), class indices n (int64; OPTIONAL for
-        what may be found or not)."""
+        what may be found or not), and those of pixels as RenderedSegmentation has them, or None."""
         path = self._images[index]
         image = read_colour(path)
         boxes, ids = read_boxes(boxes_file(path), image.shape)
@@ -95,7 +97,14 @@ class RenderedDetection:
             raise TrainingError(f"{boxes_file(path)}: expected ids of labels, 0 to {IGNORE}")
         classes = self._of_label[ids]
         kept = classes != IGNORE
-        return image, boxes[kept], classes[kept]
+        return image, boxes[kept], classes[kept], self._read_labels(path, image)
+
+    def _read_labels(self, path, image):
+        if path not in self._labels:
+            return None
+        ids = read_ids(self._labels[path])
+        check_same_size(path, image, self._labels[path], ids)
+        return self.pixel_classes.of_label[ids.clip(max=IGNORE)]
 
 
 @dataclasses.dataclass(frozen=True)

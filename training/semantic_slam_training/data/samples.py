@@ -6,7 +6,7 @@ Each item is a pure function of (seed, step, place in the batch), so that traini
 import numpy as np
 import torch
 
-from semantic_slam_training.classes import OPTIONAL
+from semantic_slam_training.classes import IGNORE, OPTIONAL
 from semantic_slam_training.data.augmentation import change_light
 from semantic_slam_training.data.view import letterbox, random_view, shrink, view_boxes, view_image, view_labels
 
@@ -68,17 +68,28 @@ class SegmentationSamples(Samples):
 
 
 class DetectionSamples(Samples):
-    """Blobs, and the boxes and classes of each image: two lists of arrays."""
+    """Blobs; boxes and classes of each image's objects, see pad_objects(); and class indices, batch x h x w, int64,
+    of every `label_stride`th pixel each way, IGNORE where none is known."""
+
+    def __init__(self, dataset, input_format, augmentation=None, seed=0, label_stride=8):
+        super().__init__(dataset, input_format, augmentation, seed)
+        self.label_stride = label_stride
 
     def make(self, random, item):
-        image, boxes, classes = item
+        image, boxes, classes, labels = item
         shown, view = self.show(random, image)
         boxes, visible = view_boxes(boxes, view, self.format.size)
-        return self.format.to_blob(shown), boxes[visible], classes[visible]
+        size = self.format.width // self.label_stride, self.format.height // self.label_stride
+        if labels is None:
+            labels = np.full(size[::-1], IGNORE, np.uint8)
+        else:
+            labels = view_labels(labels, shrink(view, self.label_stride), size)
+        return self.format.to_blob(shown), boxes[visible], classes[visible], labels
 
     def collate(self, items):
-        blobs, boxes, classes = zip(*items)
-        return torch.from_numpy(np.stack(blobs)), *pad_objects(boxes, classes)
+        blobs, boxes, classes, labels = zip(*items)
+        labels = torch.from_numpy(np.stack(labels).astype(np.int64))
+        return torch.from_numpy(np.stack(blobs)), *pad_objects(boxes, classes), labels
 
 
 def pad_objects(boxes, classes):

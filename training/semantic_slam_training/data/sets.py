@@ -32,13 +32,15 @@ def is_yolo_folder(root):
     return root.suffix in (".yaml", ".yml") or (root / "data.yaml").is_file()
 
 
-def open_detection(roots, split, classes_file):
-    """`split`: train or val, of folders with a data.yaml, whose own classes count."""
+def open_detection(roots, split, classes_file, pixel_classes_file=None):
+    """`split`: train or val, of folders with a data.yaml, whose own classes count. `pixel_classes_file`: classes of
+    pixels, of rendered sets, to be read too."""
     if len(roots) == 1 and is_yolo_folder(roots[0]):
         root = pathlib.Path(roots[0])
         return YoloFolder(root / "data.yaml" if root.is_dir() else root, split)
     check_rendered(roots)
-    return RenderedDetection(roots, read_class_list(classes_file))
+    pixel_classes = read_class_list(pixel_classes_file) if pixel_classes_file else None
+    return RenderedDetection(roots, read_class_list(classes_file), pixel_classes)
 
 
 def open_objects(roots, classes_file, least_side_px):

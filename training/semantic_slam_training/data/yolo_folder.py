@@ -55,6 +55,8 @@ def labels_file(image):
 class YoloFolder:
     """Images and the boxes of the objects in them, of the split `train`, `val` or `test`."""
 
+    pixel_classes = None
+
     def __init__(self, data_file, split):
         data_file = pathlib.Path(data_file)
         content = read_yaml(data_file)
@@ -67,10 +69,11 @@ class YoloFolder:
         return len(self._images)
 
     def read(self, index):
-        """Colour image, boxes n x 4 [px] (left, top, right, bottom; float32), class indices n (int64)."""
+        """Colour image, boxes n x 4 [px] (left, top, right, bottom; float32), class indices n (int64); and None: no
+        pixels' classes are known."""
         image = read_colour(self._images[index])
         path = labels_file(self._images[index])
         boxes, classes = read_boxes(path, image.shape)
         if np.any((classes < 0) | (classes >= len(self.names))):
             raise TrainingError(f"{path}: expected classes 0 to {len(self.names) - 1}")
-        return image, boxes, classes
+        return image, boxes, classes, None

@@ -15,6 +15,7 @@ class NetworkSpec:
     """`architecture`: a name of models.segmentation, yolov8n, yolov8s or appearance; `width` scales channels.
 
     `classes`: names in the order of the scores; empty for appearance, which has `identities` instead.
+    `pixel_classes`: how many classes of pixels a detection network learns beside its own; 0: none.
     """
 
     task: str
@@ -23,12 +24,13 @@ class NetworkSpec:
     classes: tuple
     input: InputFormat
     identities: int = 0
+    pixel_classes: int = 0
 
     def build(self):
         if self.task == SEGMENTATION:
             return segmentation.build(self.architecture, len(self.classes), self.width)
         if self.task == DETECTION:
-            return YoloV8(len(self.classes), self.architecture.removeprefix("yolov8"))
+            return YoloV8(len(self.classes), self.architecture.removeprefix("yolov8"), self.pixel_classes)
         return AppearanceNetwork(self.identities, self.width)
 
     def to_dict(self):

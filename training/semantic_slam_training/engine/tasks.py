@@ -10,7 +10,7 @@ from semantic_slam_training.evaluation.segmentation_metrics import ConfusionMatr
 from semantic_slam_training.losses.appearance import appearance_loss
 from semantic_slam_training.losses.assignment import Objects
 from semantic_slam_training.losses.detection import detection_loss
-from semantic_slam_training.losses.segmentation import segmentation_loss
+from semantic_slam_training.losses.segmentation import cross_entropy, segmentation_loss
 from semantic_slam_training.models.layers import resize
 from semantic_slam_training.models.yolov8 import YoloV8Boxes, cell_centres
 
@@ -62,6 +62,9 @@ class SegmentationTask(Task):
         return {"pixel_accuracy": matrix.pixel_accuracy(), "mean_iou": matrix.mean_iou(), **ious}
 
 
+PIXEL_WEIGHT = 2.0  # of the cross entropy of pixels' classes that a detection network learns beside its own
+
+
 class DetectionTask(Task):
     """Boxes of the input's pixels."""
 
@@ -70,16 +73,19 @@ class DetectionTask(Task):
         self.centres, self.strides = cell_centres(samples.format.height, samples.format.width)
 
     def losses(self, network, batch):
-        images, *objects = batch
-        sides, scores = network(images)
+        images, *objects, labels = batch
+        sides, scores, *pixel_scores = network(images)
         centres, strides = self.centres.to(images.device), self.strides.to(images.device)
-        return detection_loss(sides, scores, Objects(*objects), centres, strides)
+        parts = detection_loss(sides, scores, Objects(*objects), centres, strides)
+        if pixel_scores:
+            parts["pixels"] = PIXEL_WEIGHT * cross_entropy(pixel_scores[0], labels)
+        return parts
 
     def validate(self, network, device):
         names = self.samples.dataset.names
         decoder = YoloV8Boxes(network, self.samples.format.height, self.samples.format.width).to(device).eval()
         score = DetectionScore(len(names))
-        for images, *objects in self.validation_batches():
+        for images, *objects, _ in self.validation_batches():
             for rows, box, kind, present, optional in zip(decoder(images.to(device)).float().cpu(), *objects):
                 found = pass_over_optional(select_boxes(rows), box[present], box[optional])
                 score.add(found, box[present], kind[present])

@@ -21,6 +21,7 @@ TIMED_RUNS = 10
 def deployed(network, spec):
     """What is exported of a network: with boxes decoded, in evaluation mode."""
     if spec.task == DETECTION:
+        network.pixels = None  # of use in training only
         network = YoloV8Boxes(network, spec.input.height, spec.input.width)
     return network.cpu().eval()
 
