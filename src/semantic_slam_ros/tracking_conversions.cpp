@@ -32,6 +32,7 @@ static_assert(KeyframeArrayMsg::REASON_LOOP == static_cast<std::uint8_t>(Revisio
 static_assert(KeyframeArrayMsg::REASON_MERGE == static_cast<std::uint8_t>(RevisionReason::kMerge));
 static_assert(KeyframeArrayMsg::REASON_LOAD == static_cast<std::uint8_t>(RevisionReason::kLoad));
 static_assert(KeyframeArrayMsg::REASON_RESET == static_cast<std::uint8_t>(RevisionReason::kReset));
+static_assert(KeyframeArrayMsg::REASON_LOST == static_cast<std::uint8_t>(RevisionReason::kLost));
 static_assert(TrackingStateMsg::NO_KEYFRAME == semantic_slam::kNoKeyframe);
 static_assert(KeyframeMsg::NO_PARENT == semantic_slam::kNoKeyframe);
 
@@ -139,22 +140,27 @@ KeyframeArrayMsg ToKeyframeArray(const semantic_slam::KeyframeGraph& graph,
   msg.map_id = graph.map_id;
   msg.revision = graph.revision;
   msg.reason = static_cast<std::uint8_t>(graph.reason);
-  msg.old_map_id = KeyframeArrayMsg::NO_MAP;
-  msg.new_map_id = KeyframeArrayMsg::NO_MAP;
-  msg.T_new_old = ToPose(Rigid3d::Identity());
+  const semantic_slam::MapMerge none{KeyframeArrayMsg::NO_MAP, KeyframeArrayMsg::NO_MAP};
+  const semantic_slam::MapMerge merge = graph.merge.value_or(none);
+  msg.old_map_id = merge.old_map_id;
+  msg.new_map_id = merge.new_map_id;
+  msg.T_new_old = ToPose(merge.T_new_old);
   msg.keyframes.reserve(graph.keyframes.size());
   for (const auto& node : graph.keyframes) msg.keyframes.push_back(ToKeyframe(node));
   return msg;
 }
 
 semantic_slam::KeyframeGraph ToKeyframeGraph(const KeyframeArrayMsg& msg) {
-  if (msg.reason > KeyframeArrayMsg::REASON_RESET) {
-    throw InputError("keyframes: reason is " + std::to_string(msg.reason) + ", expected 0 to 4");
+  if (msg.reason > KeyframeArrayMsg::REASON_LOST) {
+    throw InputError("keyframes: reason is " + std::to_string(msg.reason) + ", expected 0 to 5");
   }
   semantic_slam::KeyframeGraph graph;
   graph.map_id = msg.map_id;
   graph.revision = msg.revision;
   graph.reason = static_cast<RevisionReason>(msg.reason);
+  if (graph.reason == RevisionReason::kMerge) {
+    graph.merge = semantic_slam::MapMerge{msg.old_map_id, msg.new_map_id, ToRigid(msg.T_new_old)};
+  }
   graph.keyframes.reserve(msg.keyframes.size());
   for (const KeyframeMsg& keyframe : msg.keyframes) {
     graph.keyframes.push_back(ToKeyframeNode(keyframe));

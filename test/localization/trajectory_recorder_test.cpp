@@ -70,16 +70,17 @@ TEST(TrajectoryRecorderTest, TellsTheTrajectoryAgainWithTodaysKeyframes) {
   EXPECT_TRUE(recorder.live()[2].pose.isApprox(At(2.5)));  // as it was published
 }
 
-TEST(TrajectoryRecorderTest, LeavesOutImagesOfAnotherMap) {
+// Keyframe ids are never used again: a graph lists those of joined maps, and of no others.
+TEST(TrajectoryRecorderTest, HasImagesOfJoinedMaps) {
   TrajectoryRecorder recorder;
   recorder.Add(Tracked(0, 0, At(0.0), At(0.0)));
-  TrackedImage of_new_map = Tracked(1, 0, At(0.0), At(7.0));
+  TrackedImage of_new_map = Tracked(1, 1, At(0.0), At(0.0));
   of_new_map.map_id = 1;
   recorder.Add(of_new_map);
-  const Trajectory corrected = recorder.Corrected(Graph(1, {Node(0, At(7.0))}));
-  ASSERT_EQ(corrected.size(), 1u);
-  EXPECT_EQ(corrected[0].stamp, Stamp::FromSeconds(1));
-  EXPECT_EQ(recorder.live().size(), 2u);
+  EXPECT_EQ(recorder.Corrected(Graph(1, {Node(1, At(0.0))})).size(), 1u);
+  const Trajectory joined = recorder.Corrected(Graph(1, {Node(0, At(0.0)), Node(1, At(7.0))}));
+  ASSERT_EQ(joined.size(), 2u);
+  EXPECT_TRUE(joined[1].pose.isApprox(At(7.0)));
 }
 
 TEST(TrajectoryRecorderTest, LeavesOutImagesWhoseKeyframeIsUnknown) {

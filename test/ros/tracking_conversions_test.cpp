@@ -169,8 +169,8 @@ TEST(TrackingConversionsTest, ReadsAnEmptyGraph) {
 
 TEST(TrackingConversionsTest, RefusesGraphsThatAreNone) {
   KeyframeArrayMsg msg = GoodGraph();
-  msg.reason = 5;
-  EXPECT_EQ(GraphError(msg), "keyframes: reason is 5, expected 0 to 4");
+  msg.reason = 6;
+  EXPECT_EQ(GraphError(msg), "keyframes: reason is 6, expected 0 to 5");
   msg = GoodGraph();
   msg.keyframes[1].id = 3;
   EXPECT_EQ(GraphError(msg), "keyframes: keyframe 3 follows 3, expected ascending ids");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,13 +48,28 @@ struct KeyframeNode {
   bool culled = false;  // no longer optimised by itself: it moves rigidly with its parent
 };
 
-enum class RevisionReason : std::uint8_t { kLocalBa = 0, kLoop = 1, kMerge = 2, kLoad = 3, kReset = 4 };
+enum class RevisionReason : std::uint8_t {
+  kLocalBa = 0,
+  kLoop = 1,
+  kMerge = 2,
+  kLoad = 3,
+  kReset = 4,
+  kLost = 5,  // a new map begins; the one before may be joined to it later
+};
+
+// What was in an older map is in this one again.
+struct MapMerge {
+  int old_map_id = 0;
+  int new_map_id = 0;
+  Rigid3d T_new_old = Rigid3d::Identity();
+};
 
 // The whole graph of one map, by ascending id. Ids are never used again.
 struct KeyframeGraph {
   int map_id = 0;
   std::uint64_t revision = 0;  // grows with every change
   RevisionReason reason = RevisionReason::kLocalBa;
+  std::optional<MapMerge> merge;  // with kMerge
   std::vector<KeyframeNode> keyframes;
 };
 

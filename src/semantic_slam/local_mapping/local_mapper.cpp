@@ -20,7 +20,10 @@ constexpr float kFusionRadiusPx = 3.0f;
 
 LocalMapper::LocalMapper(const LocalMapperOptions& options,
                          std::shared_ptr<const CameraModel> camera, Map& map)
-    : options_(options), noise_{options.depth_sigma_at_1m_m}, camera_(std::move(camera)), map_(map) {
+    : options_(options),
+      noise_{options.depth_sigma_at_1m_m},
+      camera_(std::move(camera)),
+      map_(map) {
   Validate(options_);
 }
 
@@ -101,8 +104,8 @@ void LocalMapper::FuseWithNeighbours(KeyframeId keyframe_id) {
   map_.UpdateCovisibility(keyframe_id);
 }
 
-// The new keyframe and those around it move, the keyframes farther out that see the same points hold
-// them in place.
+// The new keyframe and those around it move, the keyframes farther out that see the same points
+// hold them in place.
 LocalMapper::Window LocalMapper::SelectWindow(KeyframeId keyframe_id) const {
   Window window;
   std::map<KeyframeId, int> camera_index;
@@ -111,10 +114,12 @@ LocalMapper::Window LocalMapper::SelectWindow(KeyframeId keyframe_id) const {
     window.keyframes.push_back(id);
     window.problem.cameras.push_back({map_.FindKeyframe(id)->T_map_camera, fixed});
   };
-  const KeyframeId first = map_.keyframes().begin()->first;
-  add_camera(keyframe_id, keyframe_id == first);
+  const auto is_first = [this](KeyframeId id) {
+    return map_.FindKeyframe(id)->parent == kNoKeyframe;
+  };
+  add_camera(keyframe_id, is_first(keyframe_id));
   for (const KeyframeId id : map_.BestCovisible(keyframe_id, options_.window_keyframes - 1)) {
-    add_camera(id, id == first);
+    add_camera(id, is_first(id));
   }
   std::set<PointId> points;
   for (const KeyframeId id : window.keyframes) {
@@ -173,7 +178,8 @@ void LocalMapper::Apply(const Window& window, const BundleSummary& summary) {
 
 // Mur-Artal et al., ORB-SLAM, 2015, section VI.E.
 void LocalMapper::CullKeyframes(KeyframeId newest) {
-  for (const KeyframeId id : map_.BestCovisible(newest, static_cast<int>(map_.keyframes().size()))) {
+  for (const KeyframeId id :
+       map_.BestCovisible(newest, static_cast<int>(map_.keyframes().size()))) {
     const Keyframe& keyframe = *map_.FindKeyframe(id);
     if (keyframe.parent != kNoKeyframe && IsRedundant(keyframe)) map_.CullKeyframe(id);
   }

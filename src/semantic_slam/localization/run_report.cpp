@@ -41,6 +41,7 @@ Json SummaryJson(const TrajectoryRecorder& recorder, const VisualLocalization& l
   json["keyframes_culled"] = graph.keyframes.size() - KeyframeTrajectory(graph).size();
   json["keyframes_rejected"] = localization.rejected_keyframes();
   json["map_points"] = localization.map_points().size();
+  json["loops"] = localization.closed_loops();
   json["gravity"] = facts.gravity;
   json["dropped"] = Json::object();
   for (const auto& [cause, count] : facts.dropped) json["dropped"][cause] = count;

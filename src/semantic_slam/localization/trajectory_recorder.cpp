@@ -9,7 +9,7 @@ void TrajectoryRecorder::Add(const TrackedImage& image) {
   if (image.status == TrackingStatus::kLost) ++lost_;
   if (image.status != TrackingStatus::kTracking) return;
   live_.push_back({image.stamp, image.T_map_camera});
-  entries_.push_back({image.map_id, image.keyframe_id, image.T_keyframe_camera});
+  entries_.push_back({image.keyframe_id, image.T_keyframe_camera});
 }
 
 Trajectory TrajectoryRecorder::Corrected(const KeyframeGraph& graph) const {
@@ -18,7 +18,7 @@ Trajectory TrajectoryRecorder::Corrected(const KeyframeGraph& graph) const {
   Trajectory corrected;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto keyframe = T_map_keyframe.find(entries_[i].keyframe_id);
-    if (entries_[i].map_id != graph.map_id || keyframe == T_map_keyframe.end()) continue;
+    if (keyframe == T_map_keyframe.end()) continue;
     corrected.push_back({live_[i].stamp, keyframe->second * entries_[i].T_keyframe_camera});
   }
   return corrected;

@@ -17,8 +17,8 @@ class TrajectoryRecorder {
   // Poses of the optical frame in the map as they were at each image: "trajectory_live".
   const Trajectory& live() const { return live_; }
 
-  // The same images with today's keyframe poses: "trajectory". Images of another map than the
-  // graph's are left out.
+  // The same images with today's keyframe poses: "trajectory". Images of other maps, that were not
+  // joined to the graph's, are left out.
   Trajectory Corrected(const KeyframeGraph& graph) const;
 
   std::size_t images() const { return images_; }
@@ -27,7 +27,6 @@ class TrajectoryRecorder {
 
  private:
   struct Entry {
-    int map_id;
     KeyframeId keyframe_id;
     Rigid3d T_keyframe_camera;
   };

@@ -14,15 +14,17 @@ FullAdjuster::Work FullAdjuster::Copy() const {
   std::lock_guard<std::mutex> lock(map_.mutex());
   Work work;
   work.map_id = map_.map_id();
-  if (static_cast<int>(map_.keyframes().size()) > options_.max_keyframes) return work;
+  const std::size_t keyframes = map_.keyframes().size() - map_.dormant_keyframes();
+  if (keyframes > static_cast<std::size_t>(options_.max_keyframes)) return work;
   std::map<KeyframeId, int> camera_of;
   for (const auto& [id, keyframe] : map_.keyframes()) {
+    if (!map_.IsPresent(*keyframe)) continue;
     camera_of[id] = static_cast<int>(work.keyframes.size());
     work.problem.cameras.push_back({keyframe->T_map_camera, work.keyframes.empty()});
     work.keyframes.push_back(id);
   }
   map_.ForEachPoint([&](const MapPoint& point) {
-    if (point.observations.size() < 2) return;
+    if (point.map_id != work.map_id || point.observations.size() < 2) return;
     const int index = static_cast<int>(work.points.size());
     work.points.push_back(point.id);
     work.problem.points.push_back(point.position);

@@ -22,10 +22,15 @@ bool LoopCorrector::Correct(const Loop& loop, const CameraModel& camera) {
   std::vector<Member> window;
   std::vector<MapPoint> place_points;
   Essential essential;
+  RevisionReason reason = RevisionReason::kLoop;
   {
     std::lock_guard<std::mutex> lock(map_.mutex());
-    if (map_.FindKeyframe(loop.keyframe) == nullptr || map_.FindKeyframe(loop.place) == nullptr) {
-      return false;
+    const Keyframe* keyframe = map_.FindKeyframe(loop.keyframe);
+    const Keyframe* place = map_.FindKeyframe(loop.place);
+    if (keyframe == nullptr || place == nullptr || !map_.IsPresent(*keyframe)) return false;
+    if (!map_.IsPresent(*place)) {
+      map_.JoinTo(loop.place, loop.T_map_keyframe * keyframe->T_map_camera.inverse());
+      reason = RevisionReason::kMerge;
     }
     window = SelectWindow(loop);
     place_points = PointsAround(loop.place);
@@ -46,7 +51,7 @@ bool LoopCorrector::Correct(const Loop& loop, const CameraModel& camera) {
   std::lock_guard<std::mutex> lock(map_.mutex());
   MoveKeyframes(corrected, map_);
   MergePoints(window);
-  map_.BumpRevision(RevisionReason::kLoop);
+  map_.BumpRevision(reason);
   return true;
 }
 
@@ -96,6 +101,7 @@ LoopCorrector::Essential LoopCorrector::BuildEssentialGraph() const {
   Essential essential;
   PoseGraph3d& graph = essential.graph;
   for (const auto& [id, keyframe] : map_.keyframes()) {
+    if (!map_.IsPresent(*keyframe)) continue;
     essential.index[id] = static_cast<int>(graph.poses.size());
     graph.fixed.push_back(graph.poses.empty());  // the first holds the map where it is
     graph.poses.push_back(keyframe->T_map_camera);
@@ -105,7 +111,8 @@ LoopCorrector::Essential LoopCorrector::BuildEssentialGraph() const {
     graph.edges.push_back({essential.index.at(a.id), essential.index.at(b), T_a_b, 1.0});
   };
   for (const auto& [id, keyframe] : map_.keyframes()) {
-    if (keyframe->parent != kNoKeyframe) tie(*keyframe, keyframe->parent);
+    if (!map_.IsPresent(*keyframe)) continue;
+    if (keyframe->parent != kNoKeyframe && !keyframe->is_joint) tie(*keyframe, keyframe->parent);
     for (const auto& [other, shared] : keyframe->covisible) {
       if (other < id && other != keyframe->parent && shared >= options_.min_covisible_points) {
         tie(*keyframe, other);

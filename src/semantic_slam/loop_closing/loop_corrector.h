@@ -13,13 +13,13 @@
 namespace semantic_slam {
 
 struct LoopCorrectorOptions {
-  double depth_sigma_at_1m_m = 0.02;   // of the depth sensor; grows with depth squared
-  int window_keyframes = 20;           // around the keyframe, joined with the place
-  int min_joint_points = 30;           // that tie one of them to the place
-  int min_covisible_points = 100;      // shared by keyframes that the pose graph ties together
-  double translation_sigma_m = 0.02;   // of a relative pose
-  double rotation_sigma_rad = 0.01;    // of a relative pose
-  int max_iterations = 50;             // of the pose graph
+  double depth_sigma_at_1m_m = 0.02;  // of the depth sensor; grows with depth squared
+  int window_keyframes = 20;          // around the keyframe, joined with the place
+  int min_joint_points = 30;          // that tie one of them to the place
+  int min_covisible_points = 100;     // shared by keyframes that the pose graph ties together
+  double translation_sigma_m = 0.02;  // of a relative pose
+  double rotation_sigma_rad = 0.01;   // of a relative pose
+  int max_iterations = 50;            // of the pose graph
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -33,11 +33,12 @@ struct LoopCorrectorOptions {
   }
 };
 
-// Closes a loop that was detected: ties the keyframes around its end to the place where it began,
-// spreads the error over the essential graph (spanning tree, strong covisibility and all loops so
-// far; Mur-Artal et al., ORB-SLAM, 2015, section VII), and makes points that are the same one. The
-// map's mutex is held to copy from the map and to change it, not while the graph is solved; nobody
-// else may change poses meanwhile, but keyframes may be added. For one thread.
+// Closes a loop that was detected (if the place is in a dormant map, the present one is joined to
+// it first): ties the keyframes around its end to the place where it began, spreads the error over
+// the essential graph (spanning tree, strong covisibility and all loops so far; Mur-Artal et al.,
+// ORB-SLAM, 2015, section VII), and makes points that are the same one. The map's mutex is held to
+// copy from the map and to change it, not while the graph is solved; nobody else may change poses
+// meanwhile, but keyframes may be added. For one thread.
 class LoopCorrector {
  public:
   // Throws ConfigError if an option is out of range.
@@ -72,7 +73,8 @@ class LoopCorrector {
   void Join(const std::vector<MapPoint>& place_points, const CameraModel& camera,
             std::vector<Member>& window) const;
   Essential BuildEssentialGraph() const;
-  void AddLoopEdges(const std::vector<Member>& window, KeyframeId place, const Rigid3d& T_map_place);
+  void AddLoopEdges(const std::vector<Member>& window, KeyframeId place,
+                    const Rigid3d& T_map_place);
   void MergePoints(const std::vector<Member>& window);
 
   const LoopCorrectorOptions options_;

@@ -10,9 +10,9 @@
 namespace semantic_slam {
 namespace {
 
-constexpr int kPlaceKeyframes = 10;     // around the place, whose points are looked for
-constexpr int kNeighboursToAsk = 5;     // of the keyframe, to confirm
-constexpr int kConnectingPoints = 15;   // shared with a keyframe that counts as a neighbour
+constexpr int kPlaceKeyframes = 10;    // around the place, whose points are looked for
+constexpr int kNeighboursToAsk = 5;    // of the keyframe, to confirm
+constexpr int kConnectingPoints = 15;  // shared with a keyframe that counts as a neighbour
 
 }  // namespace
 
@@ -41,7 +41,7 @@ std::optional<Loop> LoopDetector::Detect(KeyframeId keyframe_id, const CameraMod
   {
     std::lock_guard<std::mutex> lock(map_.mutex());
     const Keyframe* keyframe = map_.FindKeyframe(keyframe_id);
-    if (keyframe == nullptr) return std::nullopt;
+    if (keyframe == nullptr || !map_.IsPresent(*keyframe)) return std::nullopt;
     view.features = keyframe->features;
     const Rigid3d T_keyframe_map = keyframe->T_map_camera.inverse();
     for (const KeyframeId id : map_.BestCovisible(keyframe_id, kNeighboursToAsk)) {
@@ -78,7 +78,8 @@ std::vector<KeyframeId> LoopDetector::Candidates(KeyframeId keyframe_id,
   std::vector<KeyframeId> candidates;
   for (const PlaceScore& place : ranked) {
     if (place.score < options_.min_score_share * reference_score) break;
-    if (excluded.count(place.keyframe) > 0 || map_.FindKeyframe(place.keyframe) == nullptr) continue;
+    if (excluded.count(place.keyframe) > 0 || map_.FindKeyframe(place.keyframe) == nullptr)
+      continue;
     candidates.push_back(place.keyframe);
     if (static_cast<int>(candidates.size()) == options_.max_candidates) break;
     exclude_around(place.keyframe);
@@ -108,8 +109,8 @@ std::optional<Loop> LoopDetector::Verify(const View& view, KeyframeId place_id,
       if (const MapPoint* point = map_.FindPoint(id)) surroundings.points.push_back(*point);
     }
   }
-  const auto found = Relocalize(*view.features, known, map_.scales(), camera, noise_,
-                                options_.min_ransac_inliers);
+  const auto found =
+      Relocalize(*view.features, known, map_.scales(), camera, noise_, options_.min_ransac_inliers);
   if (!found) return std::nullopt;
   Relocalization refined = MatchAround(surroundings.points, *view.features, found->T_map_camera,
                                        map_.scales(), camera, noise_);
@@ -120,14 +121,15 @@ std::optional<Loop> LoopDetector::Verify(const View& view, KeyframeId place_id,
   return Loop{view.id, place_id, refined.T_map_camera, std::move(refined.points)};
 }
 
-// Whether enough neighbours of the keyframe see the place too, if they are where the loop puts them.
+// Whether enough neighbours of the keyframe see the place too, if they are where the loop puts
+// them.
 bool LoopDetector::IsConfirmed(const View& view, const Rigid3d& T_map_keyframe,
                                const Surroundings& place, const CameraModel& camera) const {
   int confirmed = 0;
   for (const View::Neighbour& neighbour : view.neighbours) {
     const Relocalization found =
-        MatchAround(place.points, *neighbour.features, T_map_keyframe * neighbour.T_keyframe_neighbour,
-                    map_.scales(), camera, noise_);
+        MatchAround(place.points, *neighbour.features,
+                    T_map_keyframe * neighbour.T_keyframe_neighbour, map_.scales(), camera, noise_);
     confirmed += found.inliers >= options_.min_confirming_inliers;
   }
   return confirmed >= options_.confirming_keyframes;

@@ -15,11 +15,11 @@ namespace semantic_slam {
 struct LoopDetectorOptions {
   double depth_sigma_at_1m_m = 0.02;  // of the depth sensor; grows with depth squared
   int max_candidates = 3;             // places looked at per keyframe
-  double min_score_share = 0.25;      // of a place's score, to that of the keyframe's best neighbour
-  int min_ransac_inliers = 20;        // features that agree on a pose by appearance alone
-  int min_inliers = 50;               // map points around the place that are found again from there
-  int confirming_keyframes = 2;       // neighbours of the keyframe that must find the place too
-  int min_confirming_inliers = 25;    // and with how many points
+  double min_score_share = 0.25;    // of a place's score, to that of the keyframe's best neighbour
+  int min_ransac_inliers = 20;      // features that agree on a pose by appearance alone
+  int min_inliers = 50;             // map points around the place that are found again from there
+  int confirming_keyframes = 2;     // neighbours of the keyframe that must find the place too
+  int min_confirming_inliers = 25;  // and with how many points
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -33,17 +33,20 @@ struct LoopDetectorOptions {
   }
 };
 
-// A keyframe that shows a place which an older part of the map shows too.
+// A keyframe of the present map that shows a place which an older part of it, or a dormant map,
+// shows too.
 struct Loop {
   KeyframeId keyframe = kNoKeyframe;
-  KeyframeId place = kNoKeyframe;  // a keyframe of the older part
-  Rigid3d T_map_keyframe = Rigid3d::Identity();  // where the older part's points put the keyframe
+  KeyframeId place = kNoKeyframe;                // a keyframe of the older part
+  Rigid3d T_map_keyframe = Rigid3d::Identity();  // where the older part's points put the keyframe,
+                                                 // in the frame of the place's map
   std::vector<PointId> points;  // per feature of the keyframe: the older part's point; or kNoPoint
 };
 
-// Thesis section 3.2.4: finds out that the camera is back at a known place. Appearance proposes, and
-// geometry decides: a pose by RANSAC, refined on all points around the place, which neighbours of the
-// keyframe must confirm. Holds the map's mutex only to copy from the map. Safe from any thread.
+// Thesis section 3.2.4: finds out that the camera is back at a known place. Appearance proposes,
+// and geometry decides: a pose by RANSAC, refined on all points around the place, which neighbours
+// of the keyframe must confirm. Holds the map's mutex only to copy from the map. Safe from any
+// thread.
 class LoopDetector {
  public:
   // Throws ConfigError if an option is out of range. `index` and `map` must outlive it.

@@ -3,21 +3,22 @@
 namespace semantic_slam {
 namespace {
 
-// What takes each keyframe to its new pose, in the map frame: T_new * T_old^-1. Parents have smaller
-// ids than their children, so they are decided first.
+// What takes a keyframe to its new pose, in the map frame: T_new * T_old^-1.
+Rigid3d MotionOf(KeyframeId id, const std::map<KeyframeId, Rigid3d>& T_map_keyframes,
+                 const Map& map) {
+  for (const Keyframe* keyframe = map.FindKeyframe(id); keyframe != nullptr;
+       keyframe = map.FindKeyframe(keyframe->parent)) {
+    const auto listed = T_map_keyframes.find(keyframe->id);
+    if (listed != T_map_keyframes.end()) return listed->second * keyframe->T_map_camera.inverse();
+  }
+  return Rigid3d::Identity();
+}
+
 std::map<KeyframeId, Rigid3d> Motions(const std::map<KeyframeId, Rigid3d>& T_map_keyframes,
                                       const Map& map) {
   std::map<KeyframeId, Rigid3d> motions;
-  for (const auto& [id, keyframe] : map.keyframes()) {
-    const auto listed = T_map_keyframes.find(id);
-    const auto parent = motions.find(keyframe->parent);
-    if (listed != T_map_keyframes.end()) {
-      motions[id] = listed->second * keyframe->T_map_camera.inverse();
-    } else if (parent != motions.end()) {
-      motions[id] = parent->second;
-    } else {
-      motions[id] = Rigid3d::Identity();
-    }
+  for (const auto& entry : map.keyframes()) {
+    motions[entry.first] = MotionOf(entry.first, T_map_keyframes, map);
   }
   return motions;
 }

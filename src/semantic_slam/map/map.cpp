@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 namespace semantic_slam {
@@ -21,6 +22,7 @@ Keyframe& Map::AddKeyframe(std::shared_ptr<const FrameFeatures> features,
                            const Rigid3d& T_map_camera) {
   auto keyframe = std::make_unique<Keyframe>();
   keyframe->id = next_keyframe_++;
+  keyframe->map_id = map_id_;
   keyframe->points.assign(features->size(), kNoPoint);
   keyframe->features = std::move(features);
   keyframe->T_map_camera = T_map_camera;
@@ -37,6 +39,7 @@ MapPoint& Map::AddPoint(const Eigen::Vector3d& position, KeyframeId keyframe, in
   ++point_count_;
   MapPoint& point = *points_.back();
   point.id = id;
+  point.map_id = FindKeyframe(keyframe)->map_id;
   point.position = position;
   point.reference = keyframe;
   point.rgb = (*FindKeyframe(keyframe)->features)[feature].rgb;
@@ -51,9 +54,9 @@ void Map::AddObservation(PointId point_id, KeyframeId keyframe_id, int feature) 
   Keyframe& keyframe = *FindKeyframe(keyframe_id);
   assert(keyframe.points[feature] == kNoPoint);
   if (FindObservation(point, keyframe_id) != point.observations.end()) return;
-  const auto after = std::upper_bound(
-      point.observations.begin(), point.observations.end(), keyframe_id,
-      [](KeyframeId id, const Observation& o) { return id < o.keyframe; });
+  const auto after =
+      std::upper_bound(point.observations.begin(), point.observations.end(), keyframe_id,
+                       [](KeyframeId id, const Observation& o) { return id < o.keyframe; });
   point.observations.insert(after, {keyframe_id, feature});
   keyframe.points[feature] = point_id;
 }
@@ -109,7 +112,7 @@ void Map::CullKeyframe(KeyframeId id) {
   }
   AdoptChildrenOf(keyframe);
   const Rigid3d& T_map_parent = FindKeyframe(keyframe.parent)->T_map_camera;
-  culled_[id] = {keyframe.features->stamp(), keyframe.parent,
+  culled_[id] = {keyframe.map_id, keyframe.features->stamp(), keyframe.parent,
                  T_map_parent.inverse() * keyframe.T_map_camera};
   keyframes_.erase(id);
 }
@@ -143,14 +146,17 @@ void Map::UpdateCovisibility(KeyframeId id) {
   for (const auto& [other, shared] : keyframe.covisible) {
     FindKeyframe(other)->covisible[id] = shared;
   }
-  if (keyframe.parent != kNoKeyframe || id == keyframes_.begin()->first) return;
+  const auto it = keyframes_.find(id);
+  const bool is_first =
+      it == keyframes_.begin() || std::prev(it)->second->map_id != keyframe.map_id;
+  if (keyframe.parent != kNoKeyframe || is_first) return;
   KeyframeId parent = kNoKeyframe;
   int most_shared = 0;
   for (const auto& [other, shared] : keyframe.covisible) {
     if (other < id && shared > most_shared) parent = other, most_shared = shared;
   }
   // A view that shares nothing hangs on the one before it: the tree must reach every keyframe.
-  keyframe.parent = parent != kNoKeyframe ? parent : std::prev(keyframes_.find(id))->first;
+  keyframe.parent = parent != kNoKeyframe ? parent : std::prev(it)->first;
 }
 
 void Map::UpdatePointAppearance(PointId id) {
@@ -197,7 +203,9 @@ MapPoint* Map::FindPoint(PointId id) {
   return points_[index].get();
 }
 
-const MapPoint* Map::FindPoint(PointId id) const { return const_cast<Map*>(this)->FindPoint(id); }
+const MapPoint* Map::FindPoint(PointId id) const {
+  return const_cast<Map*>(this)->FindPoint(id);
+}
 
 PointId Map::Resolve(PointId id) const {
   for (const auto* merges : {&earlier_merges_, &merges_}) {
@@ -239,7 +247,8 @@ std::vector<ColouredPoint> Map::ColouredPoints() const {
   std::vector<ColouredPoint> coloured;
   coloured.reserve(point_count_);
   for (const auto& point : points_) {
-    if (point != nullptr) coloured.push_back({point->position.cast<float>(), point->rgb});
+    if (point == nullptr || point->map_id != map_id_) continue;
+    coloured.push_back({point->position.cast<float>(), point->rgb});
   }
   return coloured;
 }
@@ -254,7 +263,9 @@ KeyframeGraph Map::Graph() const {
   graph.map_id = map_id_;
   graph.revision = revision_;
   graph.reason = reason_;
+  if (reason_ == RevisionReason::kMerge) graph.merge = merge_;
   for (const auto& [id, keyframe] : keyframes_) {
+    if (!IsPresent(*keyframe)) continue;
     KeyframeNode node;
     node.id = id;
     node.stamp = keyframe->features->stamp();
@@ -266,6 +277,7 @@ KeyframeGraph Map::Graph() const {
     graph.keyframes.push_back(node);
   }
   for (const auto& [id, culled] : culled_) {
+    if (culled.map_id != map_id_) continue;
     graph.keyframes.push_back(
         {id, culled.stamp, KeyframePose(id), culled.parent, culled.T_parent_keyframe, true});
   }
@@ -284,6 +296,68 @@ void Map::Clear() {
   point_count_ = 0;
   ++map_id_;
   BumpRevision(RevisionReason::kReset);
+}
+
+void Map::BeginNew(std::size_t max_dormant_keyframes) {
+  ++map_id_;
+  std::map<int, std::size_t> sizes;  // by map
+  for (const auto& [id, keyframe] : keyframes_) ++sizes[keyframe->map_id];
+  std::size_t total = keyframes_.size();
+  for (const auto& [id, size] : sizes) {
+    if (total <= max_dormant_keyframes) break;
+    Forget(id);
+    total -= size;
+  }
+  BumpRevision(RevisionReason::kLost);
+}
+
+void Map::Forget(int map_id) {
+  for (auto& point : points_) {
+    if (point == nullptr || point->map_id != map_id) continue;
+    point.reset();
+    --point_count_;
+  }
+  const auto erase_from = [map_id](auto& entries, auto&& map_of) {
+    for (auto it = entries.begin(); it != entries.end();) {
+      it = map_of(it->second) == map_id ? entries.erase(it) : std::next(it);
+    }
+  };
+  erase_from(keyframes_, [](const auto& keyframe) { return keyframe->map_id; });
+  erase_from(culled_, [](const Culled& culled) { return culled.map_id; });
+}
+
+void Map::JoinTo(KeyframeId place, const Rigid3d& T_dormant_present) {
+  const int dormant = FindKeyframe(place)->map_id;
+  assert(dormant != map_id_);
+  for (auto& [id, keyframe] : keyframes_) {
+    if (!IsPresent(*keyframe)) continue;
+    keyframe->T_map_camera = Orthonormalised(T_dormant_present * keyframe->T_map_camera);
+    if (keyframe->parent != kNoKeyframe) continue;
+    keyframe->parent = place;
+    keyframe->is_joint = true;
+  }
+  for (auto& point : points_) {
+    if (point == nullptr || point->map_id != map_id_) continue;
+    point->position = T_dormant_present * point->position;
+    point->view_direction = T_dormant_present.linear() * point->view_direction;
+  }
+  for (auto& [id, keyframe] : keyframes_) {
+    if (keyframe->map_id == dormant) keyframe->map_id = map_id_;
+  }
+  for (auto& [id, culled] : culled_) {
+    if (culled.map_id == dormant) culled.map_id = map_id_;
+  }
+  for (auto& point : points_) {
+    if (point != nullptr && point->map_id == dormant) point->map_id = map_id_;
+  }
+  merge_ = MapMerge{dormant, map_id_, Rigid3d::Identity()};
+  BumpRevision(RevisionReason::kMerge);
+}
+
+std::size_t Map::dormant_keyframes() const {
+  return static_cast<std::size_t>(
+      std::count_if(keyframes_.begin(), keyframes_.end(),
+                    [this](const auto& entry) { return !IsPresent(*entry.second); }));
 }
 
 }  // namespace semantic_slam

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,14 +29,15 @@ struct Observation {
 // One landmark. Positions and directions are in the map frame.
 struct MapPoint {
   PointId id = kNoPoint;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
+  int map_id = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();        // [m]
   Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  // unit; mean, from point to cameras
   // Distances at which its patch fits the pyramid's levels [m].
   double min_distance_m = 0.0;
   double max_distance_m = 0.0;
   Descriptor descriptor{};
   std::array<std::uint8_t, 3> rgb{};
-  KeyframeId reference = kNoKeyframe;  // the keyframe that gives its scale
+  KeyframeId reference = kNoKeyframe;     // the keyframe that gives its scale
   std::vector<Observation> observations;  // by ascending keyframe
   // Since its birth: images in which it should have been seen, and in which it was matched.
   int visible = 1;
@@ -55,15 +57,23 @@ struct ColouredPoint {
 // One view kept for good. Its features never change; which map point each one shows does.
 struct Keyframe {
   KeyframeId id = kNoKeyframe;
+  int map_id = 0;
   std::shared_ptr<const FrameFeatures> features;
   Rigid3d T_map_camera = Rigid3d::Identity();
-  std::vector<PointId> points;              // per feature; kNoPoint where it shows none
-  std::map<KeyframeId, int> covisible;      // number of points shared with other keyframes
-  KeyframeId parent = kNoKeyframe;          // spanning tree
+  std::vector<PointId> points;          // per feature; kNoPoint where it shows none
+  std::map<KeyframeId, int> covisible;  // number of points shared with other keyframes
+  KeyframeId parent = kNoKeyframe;      // spanning tree
+  bool is_joint =
+      false;  // began a map that was joined to another: it need not see what its parent does
 };
 
 // The map of camera localization: keyframes, points, who sees what, and the covisibility graph and
 // spanning tree that follow from it (Mur-Artal et al., ORB-SLAM, T-RO 2015, section III.C-D).
+//
+// When tracking is lost in an unknown place a new map begins beside it (Elvira et al.,
+// ORBSLAM-Atlas, IROS 2019). The older ones lie dormant, each in a frame of its own, until the
+// present one comes to a place of theirs and is joined to them. What has no map_id speaks of the
+// present map or, where a keyframe or point is named, of whichever that is in.
 //
 // Not thread-safe by itself: hold mutex() around every call when several threads use it. Iteration
 // is always by ascending id, so equal input gives equal maps.
@@ -90,12 +100,12 @@ class Map {
 
   void ErasePoint(PointId point);
 
-  // Gives all observations of `from` to `to`; keyframes that see both keep `to`'s feature. `from` is
-  // gone afterwards, and Resolve(from) == to.
+  // Gives all observations of `from` to `to`; keyframes that see both keep `to`'s feature. `from`
+  // is gone afterwards, and Resolve(from) == to.
   void MergePoints(PointId from, PointId to);
 
   // Takes the keyframe out: its observations go, its children get its parent, and the protocol's
-  // graph keeps it as a node that moves with its parent. Precondition: it is not the first one.
+  // graph keeps it as a node that moves with its parent. Precondition: it has one.
   void CullKeyframe(KeyframeId keyframe);
 
   // Recounts the points that the keyframe shares with others, and gives it the parent it shares
@@ -125,10 +135,11 @@ class Map {
   // Pose of a keyframe, culled or not, through its living ancestors. Precondition: it has existed.
   Rigid3d KeyframePose(KeyframeId id) const;
 
+  // Of all maps.
   const std::map<KeyframeId, std::unique_ptr<Keyframe>>& keyframes() const { return keyframes_; }
   std::size_t point_count() const { return point_count_; }
 
-  // Calls visit(point) for every point by ascending id; it must not add or erase any.
+  // Calls visit(point) for every point of all maps by ascending id; it must not add or erase any.
   template <typename Visitor>
   void ForEachPoint(Visitor&& visit) {
     for (auto& point : points_) {
@@ -145,22 +156,38 @@ class Map {
   const std::vector<float>& scales() const { return scales_; }
 
   int map_id() const { return map_id_; }
+  bool IsPresent(const Keyframe& keyframe) const { return keyframe.map_id == map_id_; }
   std::uint64_t revision() const { return revision_; }
   // To be called after poses of keyframes, or which keyframes there are, have changed.
   void BumpRevision(RevisionReason reason);
   KeyframeGraph Graph() const;
 
-  // Empties the map; map_id grows by one, keyframe and point ids go on.
+  // Empties the map and forgets the dormant ones; map_id grows by one, keyframe and point ids go
+  // on.
   void Clear();
+
+  // Begins an empty map; map_id grows by one, keyframe and point ids go on. The map so far becomes
+  // dormant, and of the dormant ones the oldest are forgotten that have too many keyframes
+  // together.
+  void BeginNew(std::size_t max_dormant_keyframes);
+
+  // Joins the present map to a dormant one, moved by T_dormant_present: its first keyframe becomes
+  // a child of `place`, a keyframe of the other. All is in the dormant one's frame then, and in the
+  // present map.
+  void JoinTo(KeyframeId place, const Rigid3d& T_dormant_present);
+
+  std::size_t dormant_keyframes() const;
 
  private:
   struct Culled {
+    int map_id;
     Stamp stamp;
     KeyframeId parent;
     Rigid3d T_parent_keyframe;
   };
 
   void AdoptChildrenOf(const Keyframe& keyframe);
+  void Forget(int map_id);
 
   const std::vector<float> scales_;
   mutable std::mutex mutex_;
@@ -178,6 +205,7 @@ class Map {
   int map_id_ = 0;
   std::uint64_t revision_ = 0;
   RevisionReason reason_ = RevisionReason::kLocalBa;
+  std::optional<MapMerge> merge_;  // the last one
 };
 
 }  // namespace semantic_slam

@@ -11,7 +11,8 @@
 namespace semantic_slam {
 namespace {
 
-// A match to the last image is believed with this much support; else it was made in the wrong place.
+// A match to the last image is believed with this much support; else it was made in the wrong
+// place.
 constexpr int kMinInliersFromLast = 20;
 constexpr double kMinInlierShareFromLast = 0.25;
 // After the camera was lost a pose is believed only with more support, for this many images.
@@ -57,7 +58,8 @@ Tracker::Tracker(const TrackerOptions& options, const ReadoutOptions& readout_op
       readout_(readout_options, camera_->intrinsics().readout_s) {}
 
 void Tracker::Reset(std::shared_ptr<const CameraModel> camera) {
-  if (!(camera->intrinsics() == camera_->intrinsics())) readout_.Reset(camera->intrinsics().readout_s);
+  if (!(camera->intrinsics() == camera_->intrinsics()))
+    readout_.Reset(camera->intrinsics().readout_s);
   camera_ = std::move(camera);
   status_ = TrackingStatus::kInitializing;
   last_ = Frame();
@@ -65,6 +67,7 @@ void Tracker::Reset(std::shared_ptr<const CameraModel> camera) {
   T_odom_camera_ = T_map_start_;
   images_since_keyframe_ = 0;
   most_inliers_since_keyframe_ = 0;
+  unknown_since_.reset();
 }
 
 TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool keyframe_allowed) {
@@ -74,8 +77,9 @@ TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool
   frame.is_inlier.assign(features->size(), false);
   frame.features = std::move(features);
   if (status_ == TrackingStatus::kInitializing) {
-    if (!Initialise(frame)) return Finish(frame, TrackingStatus::kInitializing, std::nullopt);
-    return Finish(frame, TrackingStatus::kTracking, frame.reference);
+    if (!CanBeginMap(frame)) return Finish(frame, TrackingStatus::kInitializing, std::nullopt);
+    T_odom_camera_ = T_map_start_;
+    return BeginMap(frame, T_map_start_);
   }
   ++images_since_keyframe_;
   ++images_since_relocalization_;
@@ -87,7 +91,15 @@ TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool
   found = found && TrackLocalMap(frame, images_since_relocalization_ < kCautiousImages
                                             ? options_.min_relocalization_inliers
                                             : options_.min_inliers);
-  if (!found && !Relocalise(frame)) return Finish(frame, TrackingStatus::kLost, std::nullopt);
+  if (!found && !Relocalise(frame)) {
+    if (!IsLostForLong(frame)) return Finish(frame, TrackingStatus::kLost, std::nullopt);
+    const Rigid3d T_map_last = map_.KeyframePose(last_.reference) * last_.T_reference_camera;
+    map_.BeginNew(options_.max_dormant_keyframes);
+    last_ = Frame();
+    motion_.Reset();
+    return BeginMap(frame, T_map_last);
+  }
+  unknown_since_.reset();
 
   TrackerResult result;
   std::optional<KeyframeId> new_keyframe;
@@ -116,19 +128,38 @@ void Tracker::MeasureTwist(Frame& frame) const {
   const double since_last_s =
       last_.features ? SecondsBetween(last_.features->stamp(), frame.features->stamp()) : 0.0;
   const bool is_known = status_ == TrackingStatus::kTracking && since_last_s < kMaxTwistIntervalS;
-  frame.twist = is_known ? MeanTwist(last_.T_map_camera.inverse() * frame.T_map_camera, since_last_s)
-                         : CameraTwist();
+  frame.twist = is_known
+                    ? MeanTwist(last_.T_map_camera.inverse() * frame.T_map_camera, since_last_s)
+                    : CameraTwist();
 }
 
-bool Tracker::Initialise(Frame& frame) {
+bool Tracker::CanBeginMap(const Frame& frame) const {
   int with_depth = 0;
   for (const Feature& feature : frame.features->features()) with_depth += feature.has_depth();
-  if (with_depth < options_.min_initial_points) return false;
-  frame.T_map_camera = T_map_start_;
-  T_odom_camera_ = T_map_start_;
+  return with_depth >= options_.min_initial_points;
+}
+
+// Whether the lost camera has seen for long enough what it does not know. An image that shows
+// hardly anything, of a covered lens, begins the time anew.
+bool Tracker::IsLostForLong(const Frame& frame) {
+  if (!CanBeginMap(frame)) {
+    unknown_since_.reset();
+    return false;
+  }
+  const Stamp stamp = frame.features->stamp();
+  if (!unknown_since_) unknown_since_ = stamp;
+  return SecondsBetween(*unknown_since_, stamp) >= options_.new_map_after_s;
+}
+
+TrackerResult Tracker::BeginMap(Frame& frame, const Rigid3d& T_map_camera) {
+  std::fill(frame.points.begin(), frame.points.end(), kNoPoint);
+  std::fill(frame.is_inlier.begin(), frame.is_inlier.end(), false);
+  frame.T_map_camera = T_map_camera;
+  Rectify(frame, CameraTwist());
   images_since_relocalization_ = kCautiousImages;
-  InsertKeyframe(frame);
-  return true;
+  unknown_since_.reset();
+  const KeyframeId first = InsertKeyframe(frame);
+  return Finish(frame, TrackingStatus::kTracking, first);
 }
 
 // The features of the last image that show a map point or have at least depth of their own.
@@ -147,8 +178,8 @@ KnownView Tracker::LastView() const {
   return view;
 }
 
-// The pose from what the last image knew: where the prediction expects it, in a wider circle, and at
-// last wherever it may be. Leaves the map points found in `frame`.
+// The pose from what the last image knew: where the prediction expects it, in a wider circle, and
+// at last wherever it may be. Leaves the map points found in `frame`.
 bool Tracker::TrackFromLast(Frame& frame) const {
   const KnownView view = LastView();
   const Rigid3d T_map_predicted =
@@ -159,8 +190,8 @@ bool Tracker::TrackFromLast(Frame& frame) const {
       MatchNear(view, T_map_predicted, 2.0 * options_.search_radius_px, frame)) {
     return true;
   }
-  auto found = Relocalize(*frame.features, view, map_.scales(), *camera_, noise_,
-                          options_.min_inliers);
+  auto found =
+      Relocalize(*frame.features, view, map_.scales(), *camera_, noise_, options_.min_inliers);
   if (!found) return false;
   frame.T_map_camera = found->T_map_camera;
   frame.points = std::move(found->points);
@@ -211,18 +242,20 @@ bool Tracker::MatchNear(const KnownView& view, const Rigid3d& T_map_predicted, d
   return true;
 }
 
-// Half of the candidates are keyframes that look like the image, best first; the others take turns, so
-// that every keyframe of a large map is tried once in a while.
+// Half of the candidates are keyframes that look like the image, best first; the others take turns,
+// so that every keyframe of a large map is tried once in a while.
 std::vector<KeyframeId> Tracker::RelocalizationCandidates(const FrameFeatures& features) {
   const std::size_t limit = options_.relocalization_keyframes;
   std::vector<KeyframeId> candidates;
   for (const PlaceScore& place : index_.Query(features)) {
     if (candidates.size() >= (limit + 1) / 2) break;
-    if (map_.FindKeyframe(place.keyframe) != nullptr) candidates.push_back(place.keyframe);
+    const Keyframe* keyframe = map_.FindKeyframe(place.keyframe);
+    if (keyframe != nullptr && map_.IsPresent(*keyframe)) candidates.push_back(place.keyframe);
   }
   std::vector<KeyframeId> others;
   for (const auto& entry : map_.keyframes()) {
     const auto end = candidates.end();
+    if (!map_.IsPresent(*entry.second)) continue;
     if (std::find(candidates.begin(), end, entry.first) == end) others.push_back(entry.first);
   }
   std::reverse(others.begin(), others.end());  // the latest first
@@ -330,8 +363,8 @@ void Tracker::OptimiseFrame(Frame& frame) {
   std::vector<std::size_t> features;
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     if (frame.points[i] == kNoPoint) continue;
-    observations.push_back(
-        Observe(map_.FindPoint(frame.points[i])->position, (*frame.features)[i], map_.scales(), *camera_));
+    observations.push_back(Observe(map_.FindPoint(frame.points[i])->position, (*frame.features)[i],
+                                   map_.scales(), *camera_));
     features.push_back(i);
   }
   MeasureTwist(frame);

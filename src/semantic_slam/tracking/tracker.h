@@ -20,17 +20,21 @@ namespace semantic_slam {
 
 struct TrackerOptions {
   double depth_sigma_at_1m_m = 0.02;  // of the depth sensor; grows with depth squared
-  double max_point_depth_m = 4.0;  // features farther away become map points only where few are near
-  int min_initial_points = 100;    // features with depth that a new map needs
-  int min_inliers = 15;            // fewer, and the camera counts as lost
+  double max_point_depth_m =
+      4.0;                       // features farther away become map points only where few are near
+  int min_initial_points = 100;  // features with depth that a new map needs
+  int min_inliers = 15;          // fewer, and the camera counts as lost
   int min_relocalization_inliers = 30;
   int relocalization_keyframes = 20;  // tried per lost image: half that look like it, half by turns
   double search_radius_px = 15.0;     // about the predicted pixel; doubled at the second try
   int max_local_keyframes = 60;       // whose points are looked for in each image
   int max_keyframe_gap = 30;          // images after which a keyframe is wanted anyhow
-  double min_tracked_ratio = 0.6;  // a keyframe is wanted when an image shows less than this share of
-                                   // the map points that were seen right after the last keyframe
-  int min_new_points = 100;  // nearest features per keyframe that become points whatever their depth
+  double min_tracked_ratio = 0.6;  // a keyframe is wanted when an image shows less than this share
+                                   // of the map points that were seen right after the last keyframe
+  double new_map_after_s = 1.0;    // lost in sight of enough features for so long, a new map begins
+  int max_dormant_keyframes = 2000;  // of maps that were lost and not found again
+  int min_new_points =
+      100;  // nearest features per keyframe that become points whatever their depth
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -44,6 +48,8 @@ struct TrackerOptions {
     visit("max_local_keyframes", self.max_local_keyframes, 1, 1000);
     visit("max_keyframe_gap", self.max_keyframe_gap, 1, 10000);
     visit("min_tracked_ratio", self.min_tracked_ratio, 0.1, 1.0);
+    visit("new_map_after_s", self.new_map_after_s, 0.0, 1e6);
+    visit("max_dormant_keyframes", self.max_dormant_keyframes, 0, 100000);
     visit("min_new_points", self.min_new_points, 0, 10000);
   }
 };
@@ -61,19 +67,21 @@ struct TrackerResult {
 // Thesis section 3.2.1 and 3.2.2: the pose of each image against the map, and the decision which
 // images become keyframes. Holds the map's mutex while it works on the map. For one thread.
 //
-// An image is matched to the one before by a constant-velocity prediction, then to all points of the
-// keyframes around; a camera that is lost is found again by keyframes that look alike.
+// An image is matched to the one before by a constant-velocity prediction, then to all points of
+// the keyframes around; a camera that is lost is found again by keyframes that look alike, or else
+// begins a new map.
 class Tracker {
  public:
-  // Throws ConfigError if an option is out of range. `index` tells which keyframes look like an image;
-  // it and `map` must outlive the tracker.
+  // Throws ConfigError if an option is out of range. `index` tells which keyframes look like an
+  // image; it and `map` must outlive the tracker.
   Tracker(const TrackerOptions& options, const ReadoutOptions& readout_options,
           std::shared_ptr<const CameraModel> camera, Map& map, const PlaceIndex& index);
 
   // From the exposure of an image's first row to that of its last [s], as far as it is known.
   double readout_s() const { return readout_.readout_s(); }
 
-  // The pose of the image that starts a map.
+  // The pose of the image that starts the first map, and every map after a Reset(). One that starts
+  // after a loss has the pose that was known last.
   void SetStart(const Rigid3d& T_map_camera) { T_map_start_ = T_map_camera; }
 
   // `keyframe_allowed`: whether local mapping can take a keyframe now.
@@ -99,7 +107,9 @@ class Tracker {
   std::optional<RollingShutter> Shutter(const Frame& frame) const;
   void Rectify(Frame& frame, const CameraTwist& twist) const;
   void MeasureTwist(Frame& frame) const;
-  bool Initialise(Frame& frame);
+  bool CanBeginMap(const Frame& frame) const;
+  bool IsLostForLong(const Frame& frame);
+  TrackerResult BeginMap(Frame& frame, const Rigid3d& T_map_camera);
   KnownView LastView() const;
   bool TrackFromLast(Frame& frame) const;
   bool MatchNear(const KnownView& view, const Rigid3d& T_map_predicted, double radius_px,
@@ -129,7 +139,8 @@ class Tracker {
   int images_since_keyframe_ = 0;
   int most_inliers_since_keyframe_ = 0;
   int images_since_relocalization_ = 0;
-  std::size_t next_old_keyframe_ = 0;  // whose turn it is among the older ones
+  std::optional<Stamp> unknown_since_;  // lost, and seeing enough all the time
+  std::size_t next_old_keyframe_ = 0;   // whose turn it is among the older ones
 };
 
 }  // namespace semantic_slam
