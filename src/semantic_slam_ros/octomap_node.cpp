@@ -80,17 +80,21 @@ void OctomapNode::OnTracked(const TrackedImage& image) {
 void OctomapNode::FollowGraph(const KeyframeGraph& graph) {
   std::lock_guard<std::mutex> lock(map_mutex_);
   const std::size_t rebuilds = mapper_.counts().rebuilds;
+  const int map_id = mapper_.map_id();
   try {
     if (!mapper_.FollowGraph(graph)) return;
   } catch (const InputError& e) {
     drops_.Add("bad_keyframes", e.what());
     return;
   }
-  if (mapper_.counts().rebuilds > rebuilds) {
+  if (mapper_.counts().rebuilds == rebuilds) {
+    ROS_WARN("tracking began map %d: the old one is forgotten", mapper_.map_id());
+  } else if (mapper_.map_id() != map_id) {
+    ROS_WARN("tracking was lost and began map %d: the old one comes back when it is found again",
+             mapper_.map_id());
+  } else {
     ROS_INFO("the camera's path was corrected: the map was made again from %zu clouds",
              mapper_.clouds().clouds().size());
-  } else {
-    ROS_WARN("tracking began map %d: the old one is forgotten", mapper_.map_id());
   }
 }
 

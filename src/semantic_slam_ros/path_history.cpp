@@ -15,23 +15,20 @@ namespace {
 
 const KeyframeNode* FindKeyframe(const KeyframeGraph& graph, KeyframeId id) {
   const auto& all = graph.keyframes;
-  const auto found = std::lower_bound(
-      all.begin(), all.end(), id, [](const KeyframeNode& node, KeyframeId i) { return node.id < i; });
+  const auto found =
+      std::lower_bound(all.begin(), all.end(), id,
+                       [](const KeyframeNode& node, KeyframeId i) { return node.id < i; });
   return found != all.end() && found->id == id ? &*found : nullptr;
 }
 
 }  // namespace
 
-PathHistory::PathHistory(std::size_t max_poses) : max_poses_(max_poses) { assert(max_poses >= 2); }
+PathHistory::PathHistory(std::size_t max_poses) : max_poses_(max_poses) {
+  assert(max_poses >= 2);
+}
 
 void PathHistory::Add(const semantic_slam::TrackedImage& image, const Rigid3d& T_camera_base) {
   if (image.status != semantic_slam::TrackingStatus::kTracking) return;
-  if (image.map_id != map_id_) {
-    map_id_ = image.map_id;
-    entries_.clear();
-    stride_ = 1;
-    skipped_ = 0;
-  }
   if (!entries_.empty() && ++skipped_ < stride_) return;
   skipped_ = 0;
   if (entries_.size() == max_poses_) DropEverySecond();
@@ -47,7 +44,6 @@ void PathHistory::DropEverySecond() {
 
 semantic_slam::Trajectory PathHistory::Poses(const KeyframeGraph& graph) const {
   semantic_slam::Trajectory poses;
-  if (graph.map_id != map_id_) return poses;
   poses.reserve(entries_.size());
   for (const Entry& entry : entries_) {
     if (const KeyframeNode* keyframe = FindKeyframe(graph, entry.keyframe_id)) {

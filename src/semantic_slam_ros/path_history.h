@@ -15,11 +15,11 @@ class PathHistory {
   // Keeps at most `max_poses`, and at least half of them once there were so many.
   explicit PathHistory(std::size_t max_poses);
 
-  // Images that were not tracked are left out. An image of another map starts a new path.
+  // Images that were not tracked are left out.
   void Add(const semantic_slam::TrackedImage& image, const semantic_slam::Rigid3d& T_camera_base);
 
-  // T_map_base at each image kept, with today's keyframe poses; images of keyframes that are not in
-  // the graph are left out.
+  // T_map_base at each image kept, with today's keyframe poses. Images of keyframes that are not in
+  // the graph, as those of other maps, are left out.
   semantic_slam::Trajectory Poses(const semantic_slam::KeyframeGraph& graph) const;
 
  private:
@@ -35,7 +35,6 @@ class PathHistory {
   std::vector<Entry> entries_;
   std::size_t stride_ = 1;  // of how many images one is kept
   std::size_t skipped_ = 0;
-  int map_id_ = -1;
 };
 
 }  // namespace semantic_slam_ros

@@ -276,6 +276,37 @@ TEST_F(ObjectMapperTest, ANewMapForgetsTheOldOneAndIdsGoOn) {
   EXPECT_EQ(mapper_.Objects().map_id, 2);
 }
 
+TEST_F(ObjectMapperTest, ObjectsOfAMapThatWasLostComeBackWhenItIsJoined) {
+  FeedTable(0, 3);
+  const MapObject table = mapper_.Objects().objects.at(0);
+  KeyframeGraph graph;
+  graph.map_id = 1;
+  graph.revision = 7;
+  graph.reason = RevisionReason::kLost;
+  mapper_.FollowGraph(graph);
+  EXPECT_TRUE(mapper_.Objects().objects.empty());
+  // Its keyframes are listed again, all of them a metre to the side.
+  graph = GraphOf(3, Eigen::Translation3d(0.0, 1.0, 0.0) * Rigid3d::Identity(), 8);
+  graph.map_id = 1;
+  mapper_.FollowGraph(graph);
+  const ObjectMap joined = mapper_.Objects();
+  ASSERT_EQ(joined.objects.size(), 1u);
+  EXPECT_EQ(joined.objects[0].id, table.id);
+  EXPECT_NEAR(joined.objects[0].position_m.y(), table.position_m.y() + 1.0, 1e-6);
+}
+
+TEST_F(ObjectMapperTest, AResetForgetsObjectsOfMapsThatWereLost) {
+  FeedTable(0, 3);
+  KeyframeGraph graph;
+  graph.map_id = 1;
+  graph.reason = RevisionReason::kReset;
+  mapper_.FollowGraph(graph);
+  graph = GraphOf(3, Rigid3d::Identity(), 1);
+  graph.map_id = 1;
+  mapper_.FollowGraph(graph);
+  EXPECT_TRUE(mapper_.Objects().objects.empty());
+}
+
 TEST_F(ObjectMapperTest, ResetForgetsObjects) {
   FeedTable(0, 3);
   mapper_.Reset();

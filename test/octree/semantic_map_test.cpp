@@ -204,32 +204,51 @@ TEST_F(SemanticMapperTest, ATurnMovesTheSurroundingsToo) {
   EXPECT_TRUE(mapper.FollowGraph(Graph(2, {turned})));
 }
 
-TEST_F(SemanticMapperTest, AKeyframeThatIsNoLongerListedTakesItsCloudsAlong) {
+TEST_F(SemanticMapperTest, AKeyframeThatIsNoLongerListedTakesItsCloudsAlongAndBringsThemBack) {
   SemanticMapper mapper = Mapper();
   mapper.FollowGraph(Graph(1, {At(0.0), At(10.0)}));
   mapper.Insert(Wall(1), Image(1, 0));
   mapper.Insert(Wall(2), Image(2, 1));
   EXPECT_TRUE(mapper.FollowGraph(Graph(2, {At(0.0)})));
-  EXPECT_EQ(mapper.counts().lost_keyframe, 1u);
   EXPECT_TRUE(IsOccupied(mapper, 0.52, 0.02, 2.02));
   EXPECT_FALSE(IsOccupied(mapper, 10.52, 0.02, 2.02));
+  EXPECT_EQ(mapper.CameraPath().size(), 1u);
+  EXPECT_FALSE(mapper.FollowGraph(Graph(3, {At(0.0)})));
+  EXPECT_TRUE(mapper.FollowGraph(Graph(4, {At(0.0), At(20.0)})));
+  EXPECT_TRUE(IsOccupied(mapper, 20.52, 0.02, 2.02));
+  EXPECT_EQ(mapper.counts().lost_keyframe, 0u);
 }
 
-TEST_F(SemanticMapperTest, AnotherMapBeginsEmpty) {
+TEST_F(SemanticMapperTest, AMapThatTrackingLostComesBackWhenItIsJoined) {
   SemanticMapper mapper = Mapper();
   mapper.FollowGraph(Graph(7, {At(0.0)}));
   mapper.Insert(Wall(1), Image(1, 0));
-  EXPECT_TRUE(mapper.FollowGraph(Graph(8, {At(0.0)}, 2)));
-  EXPECT_EQ(mapper.tree().size(), 0u);
-  EXPECT_TRUE(mapper.clouds().clouds().empty());
+  KeyframeGraph second = Graph(8, {At(0.0), At(0.0)}, 2);
+  second.reason = RevisionReason::kLost;
+  second.keyframes.erase(second.keyframes.begin());  // a new map, of keyframe 1
+  EXPECT_TRUE(mapper.FollowGraph(second));
   EXPECT_EQ(mapper.map_id(), 2);
-
-  // Tracking was started anew: ids and revisions begin again.
-  TrackedImage image = Image(2, 0);
-  image.map_id = 2;
-  mapper.Insert(Wall(2), image);
-  EXPECT_TRUE(mapper.FollowGraph(Graph(1, {At(0.0)}, 2)));
   EXPECT_EQ(mapper.tree().size(), 0u);
+  TrackedImage image = Image(2, 1);
+  image.map_id = 2;
+  EXPECT_TRUE(mapper.Insert(Wall(2), image));
+  EXPECT_TRUE(mapper.FollowGraph(Graph(9, {At(0.0), At(10.0)}, 2)));
+  EXPECT_TRUE(IsOccupied(mapper, 0.52, 0.02, 2.02));
+  EXPECT_TRUE(IsOccupied(mapper, 10.52, 0.02, 2.02));
+}
+
+TEST_F(SemanticMapperTest, AResetOrANewStartOfTrackingForgetsAll) {
+  KeyframeGraph reset = Graph(8, {At(0.0)}, 2), earlier_map = Graph(8, {At(0.0)}, 0);
+  reset.reason = RevisionReason::kReset;
+  for (const KeyframeGraph& graph : {reset, earlier_map, Graph(6, {At(0.0)})}) {
+    SemanticMapper mapper = Mapper();
+    mapper.FollowGraph(Graph(7, {At(0.0)}));
+    mapper.Insert(Wall(1), Image(1, 0));
+    EXPECT_TRUE(mapper.FollowGraph(graph));
+    EXPECT_EQ(mapper.tree().size(), 0u);
+    EXPECT_TRUE(mapper.clouds().clouds().empty());
+    EXPECT_EQ(mapper.map_id(), graph.map_id);
+  }
 }
 
 TEST_F(SemanticMapperTest, TheCamerasPathFollowsTheGraph) {

@@ -11,22 +11,22 @@ using semantic_slam::Stamp;
 using semantic_slam::TrackedImage;
 using semantic_slam::TrackingStatus;
 
-Rigid3d At(double x_m) { return Rigid3d(Eigen::Translation3d(x_m, 0.0, 0.0)); }
+Rigid3d At(double x_m) {
+  return Rigid3d(Eigen::Translation3d(x_m, 0.0, 0.0));
+}
 
 // Image number n, n metres ahead of keyframe 0.
-TrackedImage Image(int n, int map_id = 0) {
+TrackedImage Image(int n) {
   TrackedImage image;
   image.stamp = Stamp{1000 + n};
   image.status = TrackingStatus::kTracking;
-  image.map_id = map_id;
   image.keyframe_id = 0;
   image.T_keyframe_camera = At(n);
   return image;
 }
 
-KeyframeGraph Graph(double keyframe_x_m, int map_id = 0) {
+KeyframeGraph Graph(double keyframe_x_m) {
   KeyframeGraph graph;
-  graph.map_id = map_id;
   graph.keyframes.resize(1);
   graph.keyframes[0].id = 0;
   graph.keyframes[0].T_map_keyframe = At(keyframe_x_m);
@@ -63,12 +63,19 @@ TEST(PathHistoryTest, LeavesOutWhatWasNotTracked) {
   EXPECT_TRUE(history.Poses(Graph(0.0)).empty());
 }
 
-TEST(PathHistoryTest, BeginsAnewWithANewMap) {
+TEST(PathHistoryTest, ShowsTheMapsThatTheGraphTellsOf) {
   PathHistory history(4);
-  history.Add(Image(0, 0), Rigid3d::Identity());
-  history.Add(Image(1, 1), Rigid3d::Identity());
-  EXPECT_TRUE(history.Poses(Graph(0.0, 0)).empty());
-  EXPECT_EQ(history.Poses(Graph(0.0, 1)).size(), 1u);
+  history.Add(Image(0), Rigid3d::Identity());
+  TrackedImage of_new_map = Image(1);
+  of_new_map.map_id = 1;
+  of_new_map.keyframe_id = 5;
+  history.Add(of_new_map, Rigid3d::Identity());
+  KeyframeGraph graph = Graph(0.0);
+  EXPECT_EQ(history.Poses(graph).size(), 1u);
+  graph.map_id = 1;
+  graph.keyframes.push_back(graph.keyframes[0]);
+  graph.keyframes[1].id = 5;
+  EXPECT_EQ(history.Poses(graph).size(), 2u);  // joined
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ TEST(GridMapperTest, ForgetsTheLeastMissedBeyondItsBudget) {
   EXPECT_GT(CountOccupied(mapper.Render(), 0.071, DistanceToWall).count, 250);
 }
 
-TEST(GridMapperTest, ForgetsAnOldMap) {
+TEST(GridMapperTest, LaysAnOldMapAside) {
   GridMapper mapper;
   InsertAt(mapper, MakeRigid2d({0.0, 0.0}, 0.0));
   TrackedImage image = ImageAt(MakeRigid2d({0.0, 0.0}, M_PI));
@@ -194,8 +194,36 @@ TEST(GridMapperTest, ForgetsAnOldMap) {
   EXPECT_EQ(CellAt(map, {3.02, -0.3}), OccupancyMap::kUnknown) << "seen in the old map only";
   EXPECT_GT(CellAt(map, {-2.98, 0.1}), 50);
   EXPECT_EQ(InsertAt(mapper, MakeRigid2d({1.0, 0.0}, 0.0)), InsertOutcome::kOldMap);
-  mapper.FollowGraph(GraphOf(9, {Rigid3d::Identity()}, 2));
+  mapper.FollowGraph(GraphOf(9, {}, 2));
   EXPECT_TRUE(mapper.Render().cells.empty()) << "the graph tells of a new map, too";
+}
+
+TEST(GridMapperTest, AMapThatWasLostComesBackWhenItIsJoined) {
+  GridMapper mapper;
+  InsertAt(mapper, MakeRigid2d({0.0, 0.0}, 0.0));  // at keyframe 0
+  KeyframeGraph lost;
+  lost.map_id = 1;
+  lost.revision = 5;
+  lost.reason = RevisionReason::kLost;
+  mapper.FollowGraph(lost);
+  EXPECT_TRUE(mapper.Render().cells.empty());
+  EXPECT_EQ(mapper.submaps(), 0u);
+  const std::uint64_t changes = mapper.changes();
+  mapper.FollowGraph(GraphOf(6, {Rigid3d(Eigen::Translation3d(1.0, 0.0, 0.0))}, 1));
+  EXPECT_GT(mapper.changes(), changes);
+  EXPECT_GT(CellAt(mapper.Render(), {4.02, -0.3}), 50) << "where the wall at x = 3 m lies now";
+}
+
+TEST(GridMapperTest, AResetForgetsMapsThatWereLost) {
+  GridMapper mapper;
+  InsertAt(mapper, MakeRigid2d({0.0, 0.0}, 0.0));
+  KeyframeGraph reset;
+  reset.map_id = 1;
+  reset.revision = 5;
+  reset.reason = RevisionReason::kReset;
+  mapper.FollowGraph(reset);
+  mapper.FollowGraph(GraphOf(6, {Rigid3d::Identity()}, 1));
+  EXPECT_TRUE(mapper.Render().cells.empty());
 }
 
 TEST(GridMapperTest, IgnoresAnOldGraph) {

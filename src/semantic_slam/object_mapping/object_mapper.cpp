@@ -32,15 +32,38 @@ ObjectMapper::ObjectMapper(const ObjectMappingOptions& options,
 
 void ObjectMapper::Reset() {
   objects_.clear();
+  aside_.clear();
   links_.clear();
   unlisted_poses_.clear();
 }
 
 void ObjectMapper::BeginMap(int map_id) {
   if (map_id_ == map_id) return;
-  Reset();
+  for (MappedObject& object : objects_) {
+    if (object.images() >= options_.mapper.min_observations) aside_.push_back(std::move(object));
+  }
+  const auto too_many = static_cast<std::ptrdiff_t>(aside_.size()) - options_.mapper.max_objects;
+  if (too_many > 0) aside_.erase(aside_.begin(), aside_.begin() + too_many);
+  objects_.clear();
+  links_.clear();
+  unlisted_poses_.clear();
   poses_ = KeyframePoses();
   map_id_ = map_id;
+}
+
+// Objects of a map that tracking has found again.
+void ObjectMapper::TakeBackListed() {
+  const auto first =
+      std::stable_partition(aside_.begin(), aside_.end(), [this](const MappedObject& object) {
+        const auto& seen = object.observations();
+        return !std::all_of(seen.begin(), seen.end(), [this](const ObjectObservation& observation) {
+          return poses_.Find(observation.keyframe_id).has_value();
+        });
+      });
+  std::move(first, aside_.end(), std::back_inserter(objects_));
+  aside_.erase(first, aside_.end());
+  std::sort(objects_.begin(), objects_.end(),
+            [](const MappedObject& a, const MappedObject& b) { return a.id() < b.id(); });
 }
 
 void ObjectMapper::Check(const ObjectTracks& tracks, const RgbdImage& image,
@@ -188,6 +211,7 @@ void ObjectMapper::FollowGraph(const KeyframeGraph& graph) {
   if (map_id_ && graph.map_id < *map_id_) return;
   if (map_id_ == graph.map_id && graph.revision < poses_.revision()) return;
   BeginMap(graph.map_id);
+  if (graph.reason == RevisionReason::kReset) aside_.clear();
   KeyframePoses listed(graph);
   // What is not listed, as it should be, stays where it was.
   for (const MappedObject& object : objects_) {
@@ -200,6 +224,7 @@ void ObjectMapper::FollowGraph(const KeyframeGraph& graph) {
   for (auto pose = unlisted_poses_.begin(); pose != unlisted_poses_.end();) {
     pose = poses_.Find(pose->first) ? unlisted_poses_.erase(pose) : std::next(pose);
   }
+  TakeBackListed();
   for (MappedObject& object : objects_) {
     object.Place([this](KeyframeId id) { return KeyframePose(id); });
   }

@@ -74,8 +74,8 @@ class ObjectMapper {
                std::shared_ptr<const LabelVocabulary> vocabulary);
 
   // Takes in one image: the tracks that were seen in it (confirmed ones), and what became of it. An
-  // image of a later map than the ones before forgets all objects. Throws InputError, and changes
-  // nothing, if
+  // image of a later map than the ones before lays all objects aside. Throws InputError, and
+  // changes nothing, if
   //   - image, tracks and tracked image are not of one stamp, or of one size with the camera,
   //   - the stamp is not later than the one before, unless by over a second: then time begins
   //   again,
@@ -84,8 +84,9 @@ class ObjectMapper {
   void Observe(const ObjectTracks& tracks, const RgbdImage& image, const CameraModel& camera,
                const TrackedImage& tracked);
 
-  // Moves all objects with the keyframes that they were seen from. A graph of a later map forgets
-  // all objects; older ones, and older revisions, are not looked at.
+  // Moves all objects with the keyframes that they were seen from. A graph of a later map lays all
+  // objects aside; they come back when a graph lists their keyframes again, and are forgotten after
+  // a reset. Older maps, and older revisions, are not looked at.
   void FollowGraph(const KeyframeGraph& graph);
 
   // Forgets all objects; ids go on.
@@ -99,6 +100,7 @@ class ObjectMapper {
   void Check(const ObjectTracks& tracks, const RgbdImage& image, const CameraModel& camera,
              const TrackedImage& tracked) const;
   void BeginMap(int map_id);
+  void TakeBackListed();
   Rigid3d KeyframePose(KeyframeId id) const;
   std::vector<Sighting> Look(const ObjectTracks& tracks, const RgbdImage& image,
                              const CameraModel& camera, const TrackedImage& tracked) const;
@@ -113,6 +115,7 @@ class ObjectMapper {
   const std::shared_ptr<const LabelVocabulary> vocabulary_;
   const std::vector<LabelId> ignored_;
   std::vector<MappedObject> objects_;  // by ascending id
+  std::vector<MappedObject> aside_;    // of maps that tracking has lost, likewise
   ObjectId next_id_ = 1;
   TrackLinks links_;
   std::optional<int> map_id_;

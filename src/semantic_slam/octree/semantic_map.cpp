@@ -73,22 +73,31 @@ bool SemanticMapper::Insert(const SemanticCloud& cloud, const TrackedImage& imag
 
 bool SemanticMapper::FollowGraph(const KeyframeGraph& graph) {
   CheckPoses(graph);
-  const bool is_new_map = graph.map_id != poses_.map_id() || graph.revision < poses_.revision();
+  const bool is_new_map = graph.map_id != poses_.map_id();
+  const bool is_forgotten = graph.revision < poses_.revision() || graph.map_id < poses_.map_id() ||
+                            (is_new_map && graph.reason == RevisionReason::kReset);
+  const bool had_content = tree_->getRoot() != nullptr;
   poses_ = KeyframePoses(graph);
-  if (is_new_map) {
-    const bool had_content = tree_->getRoot() != nullptr;
+  if (is_forgotten) {
     Reset();
     return had_content;
   }
-  if (!HasMoved()) return false;
+  if (!HasMoved() && !ComesBack()) return false;
   Rebuild();
   return true;
+}
+
+// Whether the graph lists again what it did not list before.
+bool SemanticMapper::ComesBack() const {
+  return std::any_of(unlisted_.begin(), unlisted_.end(),
+                     [this](KeyframeId id) { return poses_.Find(id).has_value(); });
 }
 
 void SemanticMapper::Reset() {
   tree_ = EmptyTree();
   clouds_.Clear();
   entered_poses_.clear();
+  unlisted_.clear();
   stamp_ = Stamp{};
   ++version_;
 }
@@ -118,10 +127,14 @@ bool SemanticMapper::HasMoved() const {
 
 void SemanticMapper::Rebuild() {
   entered_poses_.clear();
+  unlisted_.clear();
   std::unique_ptr<SemanticOcTree> tree = EmptyTree();
   counts_.lost_keyframe += clouds_.RemoveIf([&](const AnchoredCloud& cloud) {
     const auto T_map_keyframe = poses_.Find(cloud.keyframe_id);
-    if (!T_map_keyframe) return true;
+    if (!T_map_keyframe) {
+      unlisted_.insert(cloud.keyframe_id);
+      return false;
+    }
     try {
       inserter_.Insert(cloud.observations, *T_map_keyframe * cloud.T_keyframe_camera, *tree);
     } catch (const InputError&) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,8 +68,8 @@ class SemanticMapper {
     std::size_t unknown_keyframe =
         0;                        // dropped: no graph lists their keyframe, or it is of another map
     std::size_t not_tracked = 0;  // dropped: the camera was lost
-    std::size_t lost_keyframe = 0;  // taken out of the map: a later graph does not list their
-                                    // keyframe, or puts it outside of the octree
+    std::size_t lost_keyframe = 0;  // taken out of the map: a later graph puts their keyframe
+                                    // outside of the octree
     std::size_t rebuilds = 0;
   };
 
@@ -85,9 +86,10 @@ class SemanticMapper {
 
   // Takes over where the keyframes are now. If the surroundings of one have moved farther than the
   // threshold since they were entered, the whole map is made again from the kept clouds and then
-  // put in the old one's place. Another map_id, or a revision that goes back (tracking was started
-  // anew), begins an empty map. Returns whether the map was made anew or emptied. Throws
-  // InputError, and changes nothing, if a pose is not finite.
+  // put in the old one's place. Clouds whose keyframe the graph does not list, because tracking was
+  // lost and began another map, are kept and come back with it. A reset, or a revision or map_id
+  // that goes back (tracking was started anew), forgets everything. Returns whether the map was
+  // made anew or emptied. Throws InputError, and changes nothing, if a pose is not finite.
   bool FollowGraph(const KeyframeGraph& graph);
 
   // Forgets the map, but not where the keyframes are.
@@ -110,6 +112,7 @@ class SemanticMapper {
  private:
   std::unique_ptr<SemanticOcTree> EmptyTree() const;
   bool HasMoved() const;
+  bool ComesBack() const;
   void Rebuild();
 
   const SemanticMapperOptions options_;
@@ -120,6 +123,7 @@ class SemanticMapper {
   AnchoredClouds clouds_;
   KeyframePoses poses_;
   std::map<KeyframeId, Rigid3d> entered_poses_;  // T_map_keyframe when its first cloud was entered
+  std::set<KeyframeId> unlisted_;                // of clouds that are not in the tree
   Stamp stamp_;
   Counts counts_;
   std::uint64_t version_ = 0;

@@ -39,8 +39,11 @@ void ActiveSubmaps::CloseIfFarFrom(const AnchoredScan& scan,
   if (submaps_.empty()) return;
   const Eigen::Vector2d from = submaps_.back()->T_map_submap().translation();
   if ((scan.T_map_scan.translation() - from).norm() <= options_.max_distance_m) return;
-  for (auto& submap : submaps_) closed.push_back(std::move(submap));
-  submaps_.clear();
+  for (auto& submap : Close()) closed.push_back(std::move(submap));
+}
+
+std::vector<std::unique_ptr<Submap>> ActiveSubmaps::Close() {
+  return std::exchange(submaps_, {});
 }
 
 }  // namespace semantic_slam

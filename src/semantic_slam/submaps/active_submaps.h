@@ -51,6 +51,9 @@ class ActiveSubmaps {
   // The oldest first; empty before the first scan.
   const std::vector<std::unique_ptr<Submap>>& submaps() const { return submaps_; }
 
+  // Closes all of them.
+  std::vector<std::unique_ptr<Submap>> Close();
+
   void Reset() { submaps_.clear(); }
 
  private:

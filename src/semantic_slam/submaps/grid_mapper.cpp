@@ -51,7 +51,8 @@ void GridMapper::FollowGraph(const KeyframeGraph& graph) {
   if (!BelongsToTheMap(graph.map_id)) return;
   if (keyframes_.map_id() == graph.map_id && graph.revision < keyframes_.revision()) return;
   keyframes_ = KeyframePoses(graph);
-  bool moved = false;
+  if (graph.reason == RevisionReason::kReset) submaps_.ForgetLaidAside();
+  bool moved = submaps_.TakeBack(keyframes_);
   for (Submap* submap : submaps_.all()) {
     const auto T_map_keyframe = keyframes_.Find(submap->keyframe());
     if (!T_map_keyframe) continue;
@@ -78,7 +79,10 @@ void GridMapper::Reset() {
 // Begins anew if the map is a newer one; false if it is an older one.
 bool GridMapper::BelongsToTheMap(int map_id) {
   if (map_id > map_id_) {
-    Reset();
+    if (submaps() > 0) ++changes_;
+    submaps_.LayAside();
+    last_T_map_camera_.reset();
+    stamp_ = Stamp();
     map_id_ = map_id;
   }
   return map_id == map_id_;

@@ -40,11 +40,13 @@ class GridMapper {
   // Throws ConfigError if an option is out of range.
   explicit GridMapper(const GridSlamOptions& options = {});
 
-  // Enters what was seen at `image`. A newer map_id than before forgets the old map.
+  // Enters what was seen at `image`. A newer map_id than before begins an empty plan; the old one
+  // is laid aside.
   InsertOutcome Insert(const PlanarScan& scan, const TrackedImage& image);
 
-  // Moves the submaps to where their keyframes are now. A newer map_id forgets the old map; an
-  // older graph than the last is ignored.
+  // Moves the submaps to where their keyframes are now. A newer map_id begins an empty plan; what
+  // was laid aside comes back when the graph lists its keyframes again, and is forgotten after a
+  // reset. An older graph than the last is ignored.
   void FollowGraph(const KeyframeGraph& graph);
 
   // Grows whenever Render() would give another plan.

@@ -48,12 +48,34 @@ OccupancyMap SubmapCollection::Render() const {
   return MergeSubmaps(all(), resolution_m_);
 }
 
+void SubmapCollection::LayAside() {
+  const auto move = [this](std::vector<std::unique_ptr<Submap>> submaps) {
+    std::move(submaps.begin(), submaps.end(), std::back_inserter(aside_));
+  };
+  move(std::exchange(closed_, {}));
+  move(active_.Close());
+}
+
+bool SubmapCollection::TakeBack(const KeyframePoses& keyframes) {
+  const auto first = std::stable_partition(aside_.begin(), aside_.end(), [&](const auto& submap) {
+    return !keyframes.Find(submap->keyframe());
+  });
+  if (first == aside_.end()) return false;
+  std::move(first, aside_.end(), std::back_inserter(closed_));
+  aside_.erase(first, aside_.end());
+  std::sort(closed_.begin(), closed_.end(),
+            [](const auto& a, const auto& b) { return a->id() < b->id(); });
+  return true;
+}
+
 void SubmapCollection::Reset() {
   closed_.clear();
+  aside_.clear();
   active_.Reset();
 }
 
 void SubmapCollection::Trim() {
+  while (size() + aside_.size() > max_submaps_ && !aside_.empty()) aside_.erase(aside_.begin());
   while (size() > max_submaps_ && !closed_.empty()) {
     std::vector<const Submap*> closed = std::as_const(*this).all();
     closed.resize(closed_.size());
