@@ -17,6 +17,8 @@ def counts(summary):
     yield "images dropped", f"{sum(dropped.values())}" + (f" ({causes})" if causes else "")
     yield "keyframes", f"{summary['keyframes']}"
     yield "map points", f"{summary['map_points']}"
+    if loops := summary.get("loops"):
+        yield "loops closed", f"{loops}"
 
 
 def errors(summary):

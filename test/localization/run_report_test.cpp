@@ -1,6 +1,7 @@
 #include "semantic_slam/localization/run_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,6 +12,7 @@
 
 #include "semantic_slam/common/error.h"
 #include "testing/expect_error.h"
+#include "testing/small_room.h"
 #include "testing/small_sequence.h"
 #include "testing/temporary_folder.h"
 
@@ -101,8 +103,27 @@ TEST_F(RunReportTest, TheSummaryCounts) {
   EXPECT_EQ(summary["keyframes_culled"], graph.keyframes.size() - keyframes);
   EXPECT_EQ(summary["keyframes_rejected"], 0);
   EXPECT_EQ(summary["map_points"], localization_.map_points().size());
+  EXPECT_EQ(summary["loops"], 0);
   EXPECT_EQ(summary["gravity"], "imu");
   EXPECT_EQ(summary["dropped"], nlohmann::json({{"no_depth", 3}}));
+}
+
+// Once around on the spot, in the middle of the room, until the camera sees again what it saw
+// first.
+TEST_F(RunReportTest, TheSummaryCountsClosedLoops) {
+  constexpr int kImages = 64;
+  Rigid3d T_base_camera = Rigid3d::Identity();
+  T_base_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  for (int i = 0; i < kImages; ++i) {
+    const Rigid3d T_world_camera = Eigen::Translation3d(0.0, 0.1 * std::sin(0.3 * i), 1.3) *
+                                   Eigen::AngleAxisd(0.11 * i, Eigen::Vector3d::UnitZ()) *
+                                   T_base_camera;
+    recorder_.Add(localization_.Track(SmallRoomImage(T_world_camera, SmallSequenceStamp(i))));
+  }
+  ASSERT_EQ(recorder_.tracked(), static_cast<std::size_t>(kImages));
+  ASSERT_GE(localization_.closed_loops(), 1u);
+  Write(folder_.path());
+  EXPECT_EQ(Summary()["loops"], localization_.closed_loops());
 }
 
 TEST_F(RunReportTest, TwoRunsGiveTheSameBytes) {

@@ -15,6 +15,13 @@ def test_counts_and_timings():
     assert lines[-1].split() == ["tracking", "11", "20.0", "31.5"]
 
 
+def test_loops_are_told_if_there_were_any():
+    lines = [" ".join(line.split()) for line in table({**SUMMARY, "loops": 2}, TIMINGS)]
+    assert lines[5] == "loops closed 2"
+    for summary in (SUMMARY, {**SUMMARY, "loops": 0}):  # runs of before did not tell
+        assert not any(line.startswith("loops") for line in table(summary, TIMINGS))
+
+
 @pytest.mark.parametrize("error, text", [
     ({"ate_rmse_m": 0.01234, "ate_rmse_deg": 1.5, "matched": 10, "path_m": 4.25,
       "rpe_trans_rmse_m": 0.02, "rpe_rot_rmse_deg": 1.0}, "ATE RMSE 0.0123 m, 1.50 deg (10 poses, path 4.2 m)"),
