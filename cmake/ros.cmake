@@ -115,7 +115,8 @@ function(semantic_slam_install)
     FILES_MATCHING PATTERN "*.h")
   install(PROGRAMS scripts/start_realsense scripts/start_gazebo
     DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  install(DIRECTORY launch config DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+  install(DIRECTORY launch config models DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}
+    PATTERN "*.pt" EXCLUDE)
   install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endfunction()
 

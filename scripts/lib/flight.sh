@@ -1,14 +1,19 @@
 # Sourced by scripts/demo: a tour of a simulated world, flown live through the nodes in lockstep. Needs
 # lib/processes.sh, lib/display.sh and the variables of scripts/demo.
 
-# Who says what is in the images.
+# Who says what is in the images, and what of that is counted when the maps are compared with the world.
 choose_labels() {
-  if $networks; then
-    have_networks || fail "--networks: those of config/cards are not at hand, see docs/models.md"
-  else
+  networks=false
+  counted=()
+  if [[ "$labels" == renderer ]]; then
     say "labels and boxes are the renderer's, with errors put in:"
     scripts/describe_network_errors.py config/simulator.yaml | sed 's/^/  /'
+    return
   fi
+  networks=true
+  say "networks: $(basename "$segmentation_card" .yaml), $(basename "$detection_card" .yaml)"
+  if [[ "$segmentation_card" == "$own_segmentation" ]]; then counted+=(--voxel-classes training/classes/indoor.yaml); fi
+  if [[ "$detection_card" == "$own_detection" ]]; then counted+=(--object-classes training/classes/furniture.yaml); fi
 }
 
 # What rviz shows: the whole building. The map begins where the tour does; the view in the file is the home's. Where the
@@ -42,14 +47,16 @@ watch_flight() {
 
 # How far the maps are from the world: numbers for the table, and a picture.
 evaluate_flight() {
-  "$programs/evaluate_maps" "$world" "$output" --json --plot "$output/evaluation.png" > "$work/evaluation.json"
+  "$programs/evaluate_maps" "$world" "$output" "${counted[@]}" --json --plot "$output/evaluation.png" \
+    > "$work/evaluation.json"
   mv "$work/evaluation.json" "$output/evaluation.json"
   pictures+=(evaluation.png)
 }
 
 fly_tour() {
-  results+=("${network_results[@]}" groundtruth.txt)
+  results+=(groundtruth.txt)
   [[ -n "$tour" ]] || tour="$repository/config/tours/$world.yaml"
+  : "${segmentation_card:=$own_segmentation}" "${detection_card:=$own_detection}"
   choose_labels
   forget_results
   open_display

@@ -22,12 +22,24 @@ choose_bag() {
   "$programs/tum_to_bag" "$recording" "$bag"
 }
 
-# The branches that need networks run where those are at hand.
-choose_branches() {
-  networks=true
-  have_networks || networks=false
-  if $networks; then results+=("${network_results[@]}"); return; fi
-  say "the networks of config/cards are not at hand, see docs/models.md: no 3D map and no objects"
+# Whether the network of a card is at hand.
+has_network() {
+  local file
+  file="$(sed -n 's/^file: *//p' "$1")"
+  [[ -f "${SEMANTIC_SLAM_SHARED:-$repository/../shared}/models/$file" || -f "$repository/models/$file" ]]
+}
+
+# Networks that were trained on photographs go first on recordings.
+choose_networks() {
+  if [[ -z "$segmentation_card" ]]; then
+    segmentation_card="$own_segmentation"
+    if has_network "$photo_segmentation"; then segmentation_card="$photo_segmentation"; fi
+  fi
+  if [[ -z "$detection_card" ]]; then
+    detection_card="$own_detection"
+    if has_network "$photo_detection"; then detection_card="$photo_detection"; fi
+  fi
+  say "networks: $(basename "$segmentation_card" .yaml), $(basename "$detection_card" .yaml)"
 }
 
 # rviz in memory takes what tracking needs where there are few cores.
@@ -55,7 +67,6 @@ watch_bag() {
 
 # The figure of camera, segmentation, cloud and map: replay keeps an image that shows much.
 draw_overview() {
-  if ! $networks; then return; fi
   say "drawing the overview"
   "$programs/replay" --dataset "$bag" --config "$config" --labels "$repository/config/labels.yaml" \
     --segmentation "$segmentation_card" --stages tracking,semantic --out "$work/overview" > "$work/replay.log" 2>&1 \
@@ -66,13 +77,13 @@ draw_overview() {
 
 play_recording() {
   choose_bag
-  choose_branches
+  choose_networks
   forget_results
   open_display
   choose_rate
   say "playing $bag at rate $rate"
   start_launch tum_replay.launch "bag:=$bag" "camera_config:=$config" \
-    "semantic:=$networks" "objects:=$networks" "segmentation_card:=$segmentation_card" \
+    "segmentation_card:=$segmentation_card" \
     "detection_card:=$detection_card" "output:=$output" "rate:=$rate" rviz:=true exit_after_bag:=false
   watch_bag
   finish_launch

@@ -7,8 +7,8 @@ import pytest
 import yaml
 
 RESULTS = ("trajectory.txt", "trajectory_live.txt", "keyframe_trajectory.txt", "timing.csv", "summary.json")
-MAPS = ("semantic_map.ot", "semantic_map.ply", "objects.json", "grid.pgm", "semantic_grid.pgm", "evaluation.json")
-PICTURES = ("trajectory.png", "rviz.png")
+MAPS = ("semantic_map.ot", "semantic_map.ply", "objects.json", "grid.pgm", "semantic_grid.pgm")
+PICTURES = ("trajectory.png", "rviz.png", "map_top.png")
 
 
 @pytest.fixture(name="demo", scope="module")
@@ -31,6 +31,9 @@ def fixture_demo(repository):
     ("{unnamed}", "--config"),
     ("--world moon", "moon"),
     ("--pose guessed", "guessed"),
+    ("--labels guessed", "guessed"),
+    ("--segmentation /nonexistent.yaml", "/nonexistent.yaml"),
+    ("--detection", "--detection"),
     ("--tour /nonexistent.yaml", "/nonexistent.yaml"),
     ("--rate 2", "--rate"),
     ("--world home {unnamed}", "--world"),
@@ -57,24 +60,29 @@ def assert_left(out, names):
             assert (out / name).read_bytes().startswith(b"\x89PNG"), name
 
 
-def test_flies_a_tour_to_the_end(demo, repository, tmp_path):
+@pytest.mark.parametrize("options, words", [
+    ((), "labels and boxes are the renderer's"),
+    (("--labels", "networks"), "networks: pspnet_indoor, yolov8n_furniture"),
+], ids=("renderer", "networks"))
+def test_flies_a_tour_to_the_end(demo, repository, tmp_path, options, words):
     tour = yaml.safe_load((repository / "config/tours/home.yaml").read_text())
     (tmp_path / "tour.yaml").write_text(yaml.safe_dump({**tour, "waypoints": tour["waypoints"][:3]}))
-    result = demo("--output", tmp_path / "out", "--tour", tmp_path / "tour.yaml")
+    result = demo("--output", tmp_path / "out", "--tour", tmp_path / "tour.yaml", *options)
     assert result.returncode == 0, result.stdout + result.stderr
-    assert_left(tmp_path / "out", (*RESULTS, *MAPS, *PICTURES, "evaluation.png", "map_top.png"))
+    assert_left(tmp_path / "out", (*RESULTS, *MAPS, *PICTURES, "evaluation.json", "evaluation.png"))
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["lost"] == 0
     evaluation = json.loads((tmp_path / "out/evaluation.json").read_text())
     assert evaluation["trajectory"]["ate_rmse_m"] < 0.05  # some seconds in one room
-    for words in ("labels and boxes are the renderer's", "images tracked", "pictures:"):
-        assert words in result.stdout
+    assert evaluation["voxels"]["occupied"] > 1000
+    for expected in (words, "images tracked", "pictures:"):
+        assert expected in result.stdout
 
 
 def test_plays_a_folder_to_the_end(demo, room, tmp_path):
     result = demo("--output", tmp_path / "out", room.folder)
     assert result.returncode == 0, result.stdout + result.stderr
-    assert_left(tmp_path / "out", (*RESULTS, *PICTURES))
+    assert_left(tmp_path / "out", (*RESULTS, *MAPS, *PICTURES, "overview.png"))
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["lost"] == 0
     stamps = [float(line.split()[0]) for line in (tmp_path / "out/trajectory_live.txt").read_text().splitlines()
