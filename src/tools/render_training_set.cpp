@@ -6,12 +6,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "semantic_slam/camera/camera_config.h"
+#include "semantic_slam/common/atomic_file.h"
 #include "semantic_slam/common/check.h"
 #include "semantic_slam/common/random_stream.h"
 #include "semantic_slam/random_worlds/choice.h"
@@ -239,6 +243,24 @@ void MakeFolder(const std::string& folder) {
   if (error) throw ConfigError("cannot make the folder " + folder + ": " + error.message());
 }
 
+// Folders of one set were made alike, or its worlds would not belong together.
+void NoteOptions(const Arguments& arguments) {
+  std::ostringstream text;
+  text << "split: " << arguments.split << "\nimages: " << arguments.images
+       << "\nsize: " << arguments.size << "\nseed: " << arguments.seed
+       << "\ndepth: " << (arguments.depth ? "true" : "false") << '\n';
+  const std::string path = fs::path(arguments.out) / "set.yaml";
+  std::ifstream file(path);
+  if (!file) {
+    WriteFileAtomically(path, [&](std::ostream& out) { out << text.str(); });
+    return;
+  }
+  const std::string found{std::istreambuf_iterator<char>(file), {}};
+  if (found == text.str()) return;
+  throw ConfigError(
+      path + " is of a set that was rendered with other options: take those, or another folder");
+}
+
 // A world's folder has its name once it is complete.
 int RenderTrainingSet(CommandLine& command_line) {
   const std::optional<Arguments> arguments = ParseArguments(command_line);
@@ -249,6 +271,7 @@ int RenderTrainingSet(CommandLine& command_line) {
                {}};
   plan.boxes.min_pixels = 150;
   MakeFolder(arguments->out);
+  NoteOptions(*arguments);
   ProgressBar progress("rendering",
                        static_cast<std::size_t>(arguments->worlds) * arguments->images);
   int rendered = 0;

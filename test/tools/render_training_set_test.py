@@ -40,6 +40,17 @@ def test_gives_the_same_bytes_and_other_ones_for_another_seed_or_split(render):
     assert files_of(render("fourth", "--split", "validation")) != first
 
 
+def test_refuses_to_mix_sets(render, run_program):
+    out = render("set")
+    for options in (("--split", "validation"), ("--seed", "2"), ("--size", "64x64"), ("--images", "3"), ("--depth",)):
+        alike = {"--images": str(IMAGES), "--size": "96x72", options[0]: options[-1]}
+        flags = [word for option in alike.items() for word in dict.fromkeys(option)]
+        result = run_program("render_training_set", out, "--worlds", "2", *flags)
+        assert result.returncode == 1 and "set.yaml" in result.stderr and result.stderr.count("\n") == 1
+    assert not (out / "world_00001").exists()
+    render("set")
+
+
 def test_keeps_what_is_complete_and_begins_the_rest_anew(render):
     out = render("set")
     complete = files_of(out)
