@@ -60,6 +60,8 @@ constexpr char kPause[] = "pause";
 constexpr char kClear[] = "clear";
 constexpr char kSaveTrajectory[] = "save_trajectory";
 constexpr char kSaveMap[] = "save_map";
+constexpr char kLoadMap[] = "load_map";
+constexpr char kSetMapping[] = "set_mapping";
 constexpr char kQuery[] = "query";
 
 }  // namespace semantic_slam_ros::topics

@@ -1,5 +1,6 @@
 #include "semantic_slam_ros/tracking_node.h"
 
+#include <filesystem>
 #include <utility>
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
@@ -19,6 +20,8 @@ using semantic_slam::TrackedImage;
 using semantic_slam::TrackingStatus;
 
 namespace {
+
+constexpr char kMapFile[] = "localization.map";  // in the folder that SaveMap names
 
 void ReportChange(TrackingStatus before, const TrackedImage& now) {
   if (before == now.status) return;
@@ -44,13 +47,15 @@ TrackingNode::TrackingNode(const ros::NodeHandle& nh, const ros::NodeHandle& pri
 TrackingNode::TrackingNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
                            const TrackingNodeParameters& parameters)
     : options_(parameters.node),
-      stage_(nh, parameters.localization, parameters.publisher.base_frame, drops_),
+      stage_(nh, parameters.localization, parameters.map, parameters.publisher.base_frame, drops_),
       publisher_(nh, parameters.publisher),
       ground_truth_(nh, FrameName(options_.ground_truth_frame), parameters.publisher.map_frame),
       health_(nh, private_nh, "tracking", drops_,
               [this](NodeHealth::Status& status) { Diagnose(status); }),
       saver_(private_nh, topics::kSaveTrajectory, options_.output_directory,
              [this](const std::string& folder) { return Save(folder); }),
+      map_saver_(private_nh, topics::kSaveMap, options_.output_directory,
+                 [this](const std::string& folder) { return SaveMap(folder); }),
       worker_(std::make_unique<StageWorker<RgbdMessages>>(
           options_.queue_size, drops_,
           [this](const RgbdMessages& messages) { Process(messages); })),
@@ -59,6 +64,9 @@ TrackingNode::TrackingNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
           [this](RgbdMessages messages) { worker_->Push(std::move(messages)); })) {
   reset_service_ = private_nh.advertiseService(topics::kReset, &TrackingNode::OnReset, this);
   pause_service_ = private_nh.advertiseService(topics::kPause, &TrackingNode::OnPause, this);
+  load_map_service_ = private_nh.advertiseService(topics::kLoadMap, &TrackingNode::OnLoadMap, this);
+  set_mapping_service_ =
+      private_nh.advertiseService(topics::kSetMapping, &TrackingNode::OnSetMapping, this);
 }
 
 TrackingNode::~TrackingNode() {
@@ -89,7 +97,9 @@ TrackingStatus TrackingNode::Remember(const TrackedFrame& frame) {
 bool TrackingNode::OnReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   input_->StartOver();
   response.success = true;
-  response.message = "the map is forgotten; a new one begins with the next image";
+  response.message = stage_.is_mapping()
+                         ? "the map is forgotten; a new one begins with the next image"
+                         : "mapping is off: the map stays, and the camera's place is looked for";
   return true;
 }
 
@@ -99,6 +109,49 @@ bool TrackingNode::OnPause(std_srvs::SetBool::Request& request,
   response.success = true;
   response.message = request.data ? "paused: images are thrown away" : "tracking goes on";
   return true;
+}
+
+bool TrackingNode::OnSetMapping(std_srvs::SetBool::Request& request,
+                                std_srvs::SetBool::Response& response) {
+  stage_.SetMapping(request.data);
+  response.success = true;
+  response.message = request.data ? "the map grows" : "the map stays as it is";
+  return true;
+}
+
+bool TrackingNode::OnLoadMap(semantic_slam::LoadMap::Request& request,
+                             semantic_slam::LoadMap::Response& response) {
+  try {
+    response.message = LoadMap(request.path.empty() ? options_.output_directory : request.path);
+    response.success = true;
+  } catch (const InputError& e) {
+    response.success = false;
+    response.message = e.what();
+  }
+  return true;
+}
+
+std::shared_ptr<semantic_slam::VisualLocalization> TrackingNode::RunningLocalization() const {
+  auto localization = stage_.localization();
+  if (localization == nullptr) throw InputError("no image has come yet, so there is no map");
+  return localization;
+}
+
+std::string TrackingNode::SaveMap(const std::string& folder) const {
+  const std::string path = (std::filesystem::path(folder) / kMapFile).string();
+  RunningLocalization()->SaveMap(path);
+  return "the map is in " + path;
+}
+
+// `path` is a map's file, or the folder that one was saved into.
+std::string TrackingNode::LoadMap(const std::string& path) const {
+  if (path.empty()) throw InputError("path is empty, and the node has no ~output_directory");
+  std::error_code error;  // what cannot be looked at cannot be read either
+  const std::string file = std::filesystem::is_directory(path, error)
+                               ? (std::filesystem::path(path) / kMapFile).string()
+                               : path;
+  RunningLocalization()->LoadMap(file);
+  return "the map of " + file + " is loaded; the camera's place in it is looked for";
 }
 
 std::string TrackingNode::Save(const std::string& folder) {
@@ -142,6 +195,7 @@ void TrackingNode::Diagnose(NodeHealth::Status& status) {
   status.add("images", images);
   status.add("inliers", last.inliers);
   status.add("map", last.map_id);
+  status.add("mapping", stage_.is_mapping());
   if (const auto localization = stage_.localization()) {
     status.add("map points", localization->map_points().size());
     status.add("keyframes rejected", localization->rejected_keyframes());

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <ros/node_handle.h>
+#include <semantic_slam/LoadMap.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -36,6 +37,7 @@ struct TrackingNodeOptions {
 // Everything that tracking_node reads from its private parameters.
 struct TrackingNodeParameters {
   TrackingNodeOptions node;
+  TrackingMapOptions map;
   RgbdInputOptions input;
   TrackingPublisherOptions publisher;
   semantic_slam::ImagePairerOptions pairer;
@@ -44,6 +46,7 @@ struct TrackingNodeParameters {
   template <typename Self, typename Visitor>
   static void VisitGroups(Self& self, Visitor&& visit) {
     visit("", self.node);
+    visit("", self.map);
     visit("", self.input);
     visit("", self.publisher);
     visit("pairer", self.pairer);
@@ -71,7 +74,13 @@ class TrackingNode {
   semantic_slam::TrackingStatus Remember(const TrackedFrame& frame);
   bool OnReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool OnLoadMap(semantic_slam::LoadMap::Request& request,
+                 semantic_slam::LoadMap::Response& response);
+  bool OnSetMapping(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   std::string Save(const std::string& folder);
+  std::string SaveMap(const std::string& folder) const;
+  std::string LoadMap(const std::string& path) const;
+  std::shared_ptr<semantic_slam::VisualLocalization> RunningLocalization() const;
   void Diagnose(NodeHealth::Status& status);
 
   const TrackingNodeOptions options_;
@@ -85,10 +94,13 @@ class TrackingNode {
   std::string camera_frame_;                    // guarded by mutex_
   NodeHealth health_;
   MapSaver saver_;
+  MapSaver map_saver_;
   std::unique_ptr<StageWorker<RgbdMessages>> worker_;
   std::unique_ptr<RgbdInput> input_;  // after the worker it feeds
   ros::ServiceServer reset_service_;
   ros::ServiceServer pause_service_;
+  ros::ServiceServer load_map_service_;
+  ros::ServiceServer set_mapping_service_;
 };
 
 }  // namespace semantic_slam_ros

@@ -3,8 +3,10 @@
 #include <utility>
 
 #include <ros/console.h>
+#include <ros/init.h>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/map/map_file.h"
 
 namespace semantic_slam_ros {
 
@@ -13,14 +15,32 @@ using semantic_slam::InputError;
 using semantic_slam::RgbdImage;
 using semantic_slam::VisualLocalization;
 
+namespace {
+
+// `path` if it is empty or names a sound map. So a bad file is told at start, not with the first
+// image.
+const std::string& CheckedMapFile(const std::string& path) {
+  try {
+    if (!path.empty()) semantic_slam::ReadMapFile(path);
+  } catch (const InputError& e) {
+    throw semantic_slam::ConfigError(std::string("map_file: ") + e.what());
+  }
+  return path;
+}
+
+}  // namespace
+
 TrackingStage::TrackingStage(const ros::NodeHandle& nh,
                              const semantic_slam::LocalizationOptions& options,
-                             std::string base_frame, DropCounter& drops)
+                             const TrackingMapOptions& map_options, std::string base_frame,
+                             DropCounter& drops)
     : options_(options),
+      map_file_(CheckedMapFile(map_options.map_file)),
       base_frame_(std::move(base_frame)),
       drops_(drops),
       transforms_(nh),
-      start_pose_(nh, drops) {}
+      start_pose_(nh, drops),
+      mapping_(map_options.mapping) {}
 
 std::optional<TrackedFrame> TrackingStage::Process(const RgbdMessages& messages) try {
   RgbdImage image = messages.Decode();
@@ -47,6 +67,21 @@ std::shared_ptr<VisualLocalization> TrackingStage::localization() const {
   return localization_;
 }
 
+void TrackingStage::SetMapping(bool on) {
+  std::shared_ptr<VisualLocalization> localization;
+  {
+    std::lock_guard<std::mutex> lock(mutex_);
+    mapping_ = on;
+    localization = localization_;
+  }
+  if (localization != nullptr) localization->SetMapping(on);
+}
+
+bool TrackingStage::is_mapping() const {
+  std::lock_guard<std::mutex> lock(mutex_);
+  return mapping_;
+}
+
 std::string TrackingStage::start_source() const {
   std::lock_guard<std::mutex> lock(mutex_);
   return start_source_;
@@ -64,18 +99,33 @@ void TrackingStage::FollowCalibration(const RgbdMessages& messages) {
   BeginMap(messages.timeline);
   if (localization_ != nullptr) {
     localization_->Reset(camera_);
-    return;
+  } else {
+    MakeLocalization();
   }
+}
+
+void TrackingStage::MakeLocalization() {
   auto localization = std::make_shared<VisualLocalization>(options_, camera_,
                                                            semantic_slam::MappingMode::kThreaded);
+  try {
+    if (!map_file_.empty()) localization->LoadMap(map_file_);
+  } catch (const InputError& e) {
+    ROS_FATAL("map_file: %s", e.what());
+    ros::requestShutdown();
+  }
   std::lock_guard<std::mutex> lock(mutex_);
+  localization->SetMapping(mapping_);
   localization_ = std::move(localization);
 }
 
 void TrackingStage::FollowTimeline(int timeline) {
   if (timeline == timeline_) return;
   BeginMap(timeline);
-  localization_->Reset();
+  if (is_mapping()) {
+    localization_->Reset();
+  } else {
+    localization_->Restart();
+  }
 }
 
 void TrackingStage::BeginMap(int timeline) {
@@ -89,7 +139,7 @@ bool TrackingStage::Start(const RgbdImage& image, const std::string& camera_fram
   const auto start = start_pose_.Find(image, *camera_, camera_frame, T_base_camera, transforms_);
   if (!start) return false;
   localization_->SetStart(start->T_map_camera);
-  ROS_INFO("a map begins at %s s: %s", ToString(image.stamp).c_str(), start->source.c_str());
+  ROS_INFO("upright at %s s: %s", ToString(image.stamp).c_str(), start->source.c_str());
   started_ = true;
   std::lock_guard<std::mutex> lock(mutex_);
   start_source_ = start->source;

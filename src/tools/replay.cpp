@@ -40,6 +40,9 @@ struct Arguments {
   std::string out;
   std::optional<std::string> stages;
   StageSelection selection;
+  std::string save_map;  // file; empty: none
+  std::string load_map;  // likewise
+  bool localization_only = false;
   bool realtime = false;
 };
 
@@ -78,6 +81,16 @@ void CheckSelection(const StageSelection& selection) {
   CheckInRange("--grid-period", selection.grid_period_s, 0.0, 3600.0);
 }
 
+void CheckMapFiles(const Arguments& arguments) {
+  if (!arguments.localization_only) return;
+  if (arguments.load_map.empty()) {
+    throw ConfigError("--localization-only needs a map to localize in: --load-map FILE");
+  }
+  if (!arguments.save_map.empty()) {
+    throw ConfigError("--save-map with --localization-only would write the map that was loaded");
+  }
+}
+
 std::optional<Arguments> ParseArguments(CommandLine& command_line) {
   Arguments arguments;
   StageSelection& selection = arguments.selection;
@@ -101,12 +114,18 @@ std::optional<Arguments> ParseArguments(CommandLine& command_line) {
                       "between two images of the stage semantic [s]");
   command_line.Option("object-period", "S", &selection.object_period_s, "the same of objects [s]");
   command_line.Option("grid-period", "S", &selection.grid_period_s, "the same of grid [s]");
+  command_line.Option("load-map", "FILE", &arguments.load_map,
+                      "begin with the map of an earlier run");
+  command_line.Option("save-map", "FILE", &arguments.save_map, "keep the map in a file, at the end");
+  command_line.Flag("localization-only", &arguments.localization_only,
+                    "leave the loaded map as it is, and find the camera in it");
   command_line.Flag("realtime", &arguments.realtime,
                     "play at the sensor's rate and drop images that come too late");
   if (!command_line.Parse()) return std::nullopt;
   selection.dataset = arguments.dataset;
   SelectStages(arguments.stages, selection);
   CheckSelection(selection);
+  CheckMapFiles(arguments);
   if (selection.labels.empty()) {
     selection.labels = std::filesystem::path(arguments.config).parent_path() / "labels.yaml";
   }
@@ -188,6 +207,8 @@ int Replay(CommandLine& command_line) {
   const auto camera = std::make_shared<const CameraModel>(sequence.camera);
   VisualLocalization localization(options.localization, camera,
                                   arguments->realtime ? MappingMode::kThreaded : MappingMode::kInline);
+  if (!arguments->load_map.empty()) localization.LoadMap(arguments->load_map);
+  localization.SetMapping(!arguments->localization_only);
   ReplayStages stages(arguments->selection, options, camera,
                       arguments->realtime ? WhenFull::kDropOldest : WhenFull::kBlock);
   Run run{sequence, *camera, localization, stages, {}, {}};
@@ -203,6 +224,7 @@ int Replay(CommandLine& command_line) {
   for (const std::string& problem : sequence.source->problems()) std::cerr << problem << '\n';
   stages.Finish(localization.keyframe_graph(), arguments->out);
   stages.AddTo(run.facts);
+  if (!arguments->save_map.empty()) localization.SaveMap(arguments->save_map);
   WriteRunReport(arguments->out, run.recorder, localization, run.facts, sequence.ground_truth);
   std::cout << run.recorder.tracked() << " of " << run.recorder.images() << " images tracked, "
             << run.recorder.lost() << " lost; results in " << arguments->out << '\n';

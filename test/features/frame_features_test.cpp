@@ -180,5 +180,18 @@ TEST(FrameFeaturesTest, RectifiedFeaturesAreFoundWhereTheyAreNow) {
   }
 }
 
+TEST(FrameFeaturesTest, MadeOfTheirPartsTheyAreTheSame) {
+  const auto original = SquaresFeatures(3);
+  const FrameFeatures copy(original->stamp(), original->features(), original->descriptors(),
+                           *SmallCamera());
+  EXPECT_EQ(copy.stamp(), original->stamp());
+  EXPECT_EQ(copy.descriptors(), original->descriptors());
+  ASSERT_EQ(copy.size(), original->size());
+  for (std::size_t i = 0; i < copy.size(); i += 10) {
+    const Eigen::Vector2f& pixel = (*original)[i].pixel;
+    EXPECT_EQ(Near(copy, pixel, 15.0f, 0, 7), Near(*original, pixel, 15.0f, 0, 7)) << i;
+  }
+}
+
 }  // namespace
 }  // namespace semantic_slam

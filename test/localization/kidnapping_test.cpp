@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "localization/room_views.h"
 #include "semantic_slam/localization/trajectory_recorder.h"
 #include "semantic_slam/localization/visual_localization.h"
 #include "testing/small_room.h"
@@ -10,28 +11,11 @@ namespace semantic_slam {
 namespace {
 
 constexpr double kImagesPerS = 15.0;
-constexpr double kNewMapAfterS = 0.3;
 constexpr int kImagesToNewMap = 5;  // the first after so much time
-
-LocalizationOptions Options() {
-  LocalizationOptions options;
-  options.features.max_features = 500;
-  options.tracking.max_keyframe_gap = 3;
-  options.tracking.new_map_after_s = kNewMapAfterS;
-  return options;
-}
-
-// In the middle of the room, looking along `yaw_rad`, a little to the side.
-Rigid3d Looking(double yaw_rad, double aside_m = 0.0) {
-  Rigid3d T_body_camera = Rigid3d::Identity();
-  T_body_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  return Eigen::Translation3d(0.0, aside_m, 1.3) *
-         Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()) * T_body_camera;
-}
 
 class KidnappingTest : public testing::TestWithParam<MappingMode> {
  protected:
-  KidnappingTest() : localization_(Options(), SmallCamera(), GetParam()) {
+  KidnappingTest() : localization_(RoomOptions(), SmallCamera(), GetParam()) {
     localization_.SetStart(Looking(0.0, -0.15));  // so that the first map's frame is the room's
   }
 

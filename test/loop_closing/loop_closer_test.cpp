@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "loop_closing/two_visits.h"
+#include "semantic_slam/map/map_contents.h"
 #include "testing/expect_error.h"
 
 namespace semantic_slam {
@@ -62,6 +63,18 @@ TEST_F(LoopCloserTest, ResetForgetsAllPlaces) {
   closer->Reset(SmallCamera());
   EXPECT_TRUE(visits_.index.Keyframes().empty());
   EXPECT_FALSE(closer->Process(TwoVisits::kLast, timer_));  // it is gone
+}
+
+TEST_F(LoopCloserTest, KnowsTheKeyframesOfAMapThatWasLoaded) {
+  auto closer = Make();
+  const MapContents contents = visits_.map.Contents();
+  visits_.map.Load(contents);
+  closer->KnowMap();
+  const std::set<KeyframeId> known = visits_.index.Keyframes();
+  EXPECT_EQ(known.size(), contents.keyframes.size());
+  for (const auto& entry : visits_.map.keyframes()) EXPECT_EQ(known.count(entry.first), 1u);
+  // They may close loops: the last one is the loaded map's last.
+  EXPECT_TRUE(closer->Process(visits_.map.keyframes().rbegin()->first, timer_));
 }
 
 TEST_F(LoopCloserTest, RefusesOptionsByName) {

@@ -144,6 +144,13 @@ TEST(TrackingParametersTest, NamesAMissingCalibrationFile) {
   ExpectFatal("tracking", "_camera_config:=/nowhere/camera.yaml", "/nowhere/camera.yaml");
 }
 
+TEST(TrackingParametersTest, NamesAMapThatIsNone) {
+  ExpectFatal("tracking", "_map_file:=/nowhere/room.map",
+              "map_file: cannot open /nowhere/room.map");
+  ExpectFatal("tracking", "_map_file:=" SEMANTIC_SLAM_SOURCE_DIR "/config/tracking.yaml",
+              "config/tracking.yaml: it is no localization map");
+}
+
 TEST(GridSlamParametersTest, RefusesAnotherSourceOfTheMap) {
   ExpectFatal("grid_slam", "_map_source:=grid",
               "/grid_slam_under_test/map_source = grid is not available in this version, only "

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <semantic_slam/KeyframeArray.h>
+#include <semantic_slam/LoadMap.h>
 #include <semantic_slam/SaveMap.h>
 #include <semantic_slam/TrackingState.h>
 #include <std_srvs/SetBool.h>
@@ -18,13 +19,16 @@
 
 #include "ros/ros_testing.h"
 #include "semantic_slam_ros/conversions.h"
+#include "testing/expect_error.h"
 #include "testing/room_sequence.h"
+#include "testing/temporary_folder.h"
 #include "testing/textured_room.h"
 
 namespace semantic_slam_ros {
 namespace {
 
 using diagnostic_msgs::DiagnosticArray;
+using semantic_slam::ExpectOneLineWith;
 using semantic_slam::RgbdImage;
 using semantic_slam::Trajectory;
 using StateMsg = semantic_slam::TrackingState;
@@ -74,6 +78,15 @@ class TrackingNodeTest : public testing::Test {
     ASSERT_TRUE(ros::service::call("tracking/reset", trigger));
     info_pub_.publish(ToCameraInfo(semantic_slam::Freiburg1Camera().intrinsics,
                                    MakeHeader(Now(), kCameraFrame)));
+  }
+
+  void TearDown() override { SetMapping(true); }
+
+  static void SetMapping(bool on) {
+    std_srvs::SetBool request;
+    request.request.data = on;
+    ASSERT_TRUE(ros::service::call("tracking/set_mapping", request));
+    EXPECT_TRUE(request.response.success);
   }
 
   // Stamps go on from test to test: time on a robot only jumps when the test says so.
@@ -321,6 +334,73 @@ TEST_F(TrackingNodeTest, PausesAndGoesOn) {
   pause.request.data = false;
   ASSERT_TRUE(ros::service::call("tracking/pause", pause));
   EXPECT_EQ(Track((*images_)[3]).state, StateMsg::STATE_TRACKING);
+  Advance(10.0);
+}
+
+TEST_F(TrackingNodeTest, GoesOnWithTheMapThatItSaved) {
+  const std::vector<StateMsg> before = TrackSequence(10);
+  const semantic_slam::TemporaryFolder folder;
+  semantic_slam::SaveMap save;
+  save.request.path = folder.path();
+  ASSERT_TRUE(ros::service::call("tracking/save_map", save));
+  EXPECT_TRUE(save.response.success) << save.response.message;
+  EXPECT_EQ(save.response.message, "the map is in " + folder / "localization.map");
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call("tracking/reset", reset));
+  Advance(1.0);
+  Track(images_->back());  // another map, which begins elsewhere
+
+  for (const std::string& path : {folder.path(), folder / "localization.map"}) {
+    semantic_slam::LoadMap load;
+    load.request.path = path;
+    ASSERT_TRUE(ros::service::call("tracking/load_map", load));
+    EXPECT_TRUE(load.response.success) << load.response.message;
+    ExpectOneLineWith(load.response.message, {"localization.map", "loaded"});
+    Advance(2.0);
+    const StateMsg after = Track((*images_)[5]);
+    ASSERT_EQ(after.state, StateMsg::STATE_TRACKING);
+    EXPECT_GT(after.map_id, before[5].map_id);
+    EXPECT_GT(after.keyframe_id, before.back().keyframe_id) << "ids are never used again";
+    const Rigid3d moved = ToRigid(before[5].T_map_camera).inverse() * ToRigid(after.T_map_camera);
+    EXPECT_LT(moved.translation().norm(), 0.02);  // the noise of depth, as above
+  }
+  Advance(10.0);
+}
+
+TEST_F(TrackingNodeTest, RefusesAMapThatIsNoneAndGoesOn) {
+  const StateMsg before = TrackSequence(3).back();
+  semantic_slam::LoadMap load;
+  ASSERT_TRUE(ros::service::call("tracking/load_map", load));
+  EXPECT_FALSE(load.response.success);
+  EXPECT_EQ(load.response.message, "path is empty, and the node has no ~output_directory");
+  load.request.path = "/nowhere";
+  ASSERT_TRUE(ros::service::call("tracking/load_map", load));
+  EXPECT_FALSE(load.response.success);
+  EXPECT_EQ(load.response.message, "cannot open /nowhere");
+  const StateMsg after = Track((*images_)[3]);
+  EXPECT_EQ(after.state, StateMsg::STATE_TRACKING);
+  EXPECT_EQ(after.map_id, before.map_id);
+  Advance(10.0);
+}
+
+TEST_F(TrackingNodeTest, OnlyLocalizesWhenTold) {
+  const StateMsg before = TrackSequence(6).back();
+  SetMapping(false);
+  const std::size_t count = images_->size();
+  for (std::size_t i = 6; i < count; ++i) {
+    const StateMsg state = Track((*images_)[i]);
+    EXPECT_EQ(state.state, StateMsg::STATE_TRACKING) << i;
+    EXPECT_LE(state.keyframe_id, before.keyframe_id) << i;
+  }
+  // What would make it forget the map does not.
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call("tracking/reset", reset));
+  EXPECT_TRUE(reset.response.success);
+  ExpectOneLineWith(reset.response.message, {"mapping is off", "the map stays"});
+  Advance(2.0);
+  const StateMsg found = Track((*images_)[3]);
+  EXPECT_EQ(found.state, StateMsg::STATE_TRACKING);
+  EXPECT_EQ(found.map_id, before.map_id);
   Advance(10.0);
 }
 

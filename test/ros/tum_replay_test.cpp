@@ -2,10 +2,6 @@
 // output topic that docs/ros_api.md lists: on the rendered room with tiny networks, and on fr1_desk with
 // real ones where they are at hand.
 
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -27,6 +23,7 @@
 #include <semantic_slam/SemanticObjectArray.h>
 #include <topic_tools/shape_shifter.h>
 
+#include "ros/child_process.h"
 #include "ros/ros_testing.h"
 #include "semantic_slam_ros/tum_bag.h"
 #include "testing/room_sequence.h"
@@ -41,34 +38,6 @@ using semantic_slam::TemporaryFolder;
 using StateMsg = semantic_slam::TrackingState;
 
 constexpr double kPlayedS = 3.0;
-
-// roslaunch as a child process; stopped as Ctrl-C would if it is still there at the end.
-class Launch {
- public:
-  explicit Launch(const std::vector<std::string>& arguments) {
-    std::vector<char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
-    pid_ = ::fork();
-    if (pid_ == 0) {
-      ::execvp(argv[0], argv.data());
-      ::_exit(127);
-    }
-  }
-  ~Launch() {
-    if (Running()) ::kill(pid_, SIGINT);
-    if (pid_ > 0) ::waitpid(pid_, nullptr, 0);
-  }
-  bool Running() {
-    if (pid_ <= 0) return false;
-    if (::waitpid(pid_, nullptr, WNOHANG) == 0) return true;
-    pid_ = -1;
-    return false;
-  }
-
- private:
-  pid_t pid_;
-};
 
 // Every topic in a table "Published topics" of docs/ros_api.md, absolute; not of the nodes that fly a
 // drone.
@@ -107,7 +76,7 @@ std::size_t Play(const Played& played, const TemporaryFolder& out) {
   options.duration_s = kPlayedS;
   const TumBagReport bag = WriteTumBag(played.folder, out / "three_seconds.bag", options);
   // At half speed, with room in the queue: what is tested is the graph, not this machine.
-  Launch launch({"roslaunch", "semantic_slam", "tum_replay.launch",
+  ChildProcess launch({"roslaunch", "semantic_slam", "tum_replay.launch",
                  "bag:=" + (out / "three_seconds.bag"), "camera_config:=" + played.camera_config,
                  "segmentation_card:=" + played.networks.segmentation_card,
                  "detection_card:=" + played.networks.detection_card,

@@ -30,6 +30,12 @@ REFUSED = [
     ("replay", "--dataset {room} --config {config} --out {tmp}/out --segmentation truth", "{room} labels.txt"),
     ("replay", "--dataset {room} --config {config} --out {tmp}/out --detection truth", "{room} boxes"),
     ("replay", "--dataset {room} --config {config} --out {tmp}/out --speed 2", "--speed"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/out --localization-only", "--localization-only --load-map"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/out --localization-only --load-map {tmp}/text.bag "
+     "--save-map {tmp}/out.map", "--save-map --localization-only"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/out --load-map {tmp}/missing.map", "{tmp}/missing.map"),
+    ("replay", "--dataset {room} --config {config} --out {tmp}/out --load-map {tmp}/text.bag",
+     "{tmp}/text.bag no localization map"),
     ("render_sequence", "", "WORLD"),
     ("render_sequence", "{world}", "TRAJECTORY"),
     ("render_sequence", "{tmp}/missing.yaml {tmp}/empty.txt {tmp}/out", "{tmp}/missing.yaml"),

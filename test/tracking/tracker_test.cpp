@@ -246,6 +246,74 @@ TEST_F(TrackerTest, ResetStartsANewMap) {
   ExpectNear(second.image.T_map_camera, TruePose(7), "map");
 }
 
+TEST_F(TrackerTest, StartedLostItFindsItselfAndOdomGoesOn) {
+  TrackRoom(6);
+  tracker_->StartLost();
+  EXPECT_EQ(Track(BlankFrame(6)).image.status, TrackingStatus::kLost);
+  const TrackerResult found = Track(SmallRoomFeatures(TruePose(2), StampOf(7)));
+  ASSERT_EQ(found.image.status, TrackingStatus::kTracking);
+  ExpectNear(found.image.T_map_camera, TruePose(2), "map");
+  ExpectNear(found.image.T_odom_camera, TruePose(5), "odom");  // where it was seen last
+}
+
+TEST_F(TrackerTest, StartedLostInAMapThatItHasNotMadeOdomBeginsAtTheStart) {
+  TrackRoom(6);
+  Tracker other(Options(), ReadoutOptions(), SmallCamera(), *map_, index_);
+  other.SetStart(TruePose(0));
+  other.StartLost();
+  const TrackerResult found = other.Track(RoomFrame(4), true);
+  ASSERT_EQ(found.image.status, TrackingStatus::kTracking);
+  ExpectNear(found.image.T_map_camera, TruePose(4), "map");
+  EXPECT_EQ(found.image.T_odom_camera.matrix(), TruePose(0).matrix());
+  ASSERT_EQ(other.Track(RoomFrame(5), true).image.status, TrackingStatus::kTracking);
+}
+
+TEST_F(TrackerTest, StartedLostInAnUnknownPlaceItBeginsAMapAtTheStart) {
+  TrackRoom(3);
+  Tracker other(Options(), ReadoutOptions(), SmallCamera(), *map_, index_);
+  other.SetStart(TruePose(1));
+  other.StartLost();
+  TrackerResult result;
+  const int images = static_cast<int>(Options().new_map_after_s * kImagesPerS) + 2;
+  for (int i = 3; i < 3 + images; ++i) result = other.Track(FrameLookingBack(i), true);
+  ASSERT_EQ(result.image.status, TrackingStatus::kTracking);
+  EXPECT_EQ(result.image.map_id, 1);
+  ExpectNear(result.image.T_map_camera, TruePose(1), "map");
+}
+
+TEST_F(TrackerTest, WithoutMappingTheMapStaysAsItIs) {
+  TrackRoom(6);
+  const std::uint64_t revision = map_->revision();
+  tracker_->SetMapping(false);
+  for (int i = 6; i < 12; ++i) {
+    const TrackerResult result = Track(RoomFrame(i));
+    ASSERT_EQ(result.image.status, TrackingStatus::kTracking) << i;
+    EXPECT_FALSE(result.new_keyframe) << i;
+    EXPECT_FALSE(result.keyframe_rejected) << i;
+    EXPECT_NE(map_->FindKeyframe(result.image.keyframe_id), nullptr) << i;
+    ExpectNear(result.image.T_map_camera, TruePose(i), "image " + std::to_string(i));
+  }
+  const int for_long = 12 + 2 * static_cast<int>(Options().new_map_after_s * kImagesPerS);
+  for (int i = 12; i < for_long; ++i) {
+    ASSERT_EQ(Track(FrameLookingBack(i)).image.status, TrackingStatus::kLost) << i;
+  }
+  EXPECT_EQ(map_->revision(), revision);
+
+  tracker_->SetMapping(true);
+  // It begins to wait now, whatever it has seen before.
+  EXPECT_EQ(Track(FrameLookingBack(for_long)).image.status, TrackingStatus::kLost);
+  const TrackerResult found = Track(SmallRoomFeatures(TruePose(8), StampOf(for_long + 1)));
+  ASSERT_EQ(found.image.status, TrackingStatus::kTracking);
+  EXPECT_TRUE(found.new_keyframe);
+}
+
+TEST_F(TrackerTest, WithoutMappingNoMapBegins) {
+  tracker_->SetMapping(false);
+  EXPECT_EQ(Track(RoomFrame(0)).image.status, TrackingStatus::kInitializing);
+  tracker_->SetMapping(true);
+  EXPECT_EQ(Track(RoomFrame(1)).image.status, TrackingStatus::kTracking);
+}
+
 TEST_F(TrackerTest, TheSameImagesGiveTheSameBytes) {
   std::vector<TrackedImage> first;
   for (int i = 0; i < 8; ++i) first.push_back(Track(RoomFrame(i)).image);
@@ -261,7 +329,8 @@ TEST_F(TrackerTest, TheSameImagesGiveTheSameBytes) {
 TEST_F(TrackerTest, RefusesOptionsOutOfRange) {
   TrackerOptions options;
   options.min_inliers = 5;
-  EXPECT_EQ(MessageOf<ConfigError>([&] { Tracker(options, ReadoutOptions(), SmallCamera(), *map_, index_); }),
+  EXPECT_EQ(MessageOf<ConfigError>(
+                [&] { Tracker(options, ReadoutOptions(), SmallCamera(), *map_, index_); }),
             "min_inliers = 5, but must be in [6, 1000]");
 }
 

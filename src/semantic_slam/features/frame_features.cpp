@@ -1,6 +1,7 @@
 #include "semantic_slam/features/frame_features.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -48,6 +49,13 @@ FrameFeatures::FrameFeatures(const RgbdImage& image, const CameraModel& camera,
                          DepthAt(image.depth_m, keypoint.pixel), keypoint.angle_rad,
                          keypoint.octave, ColourAt(image, keypoint.pixel)});
   }
+  BuildGrid(camera);
+}
+
+FrameFeatures::FrameFeatures(Stamp stamp, std::vector<Feature> features,
+                             std::vector<Descriptor> descriptors, const CameraModel& camera)
+    : stamp_(stamp), features_(std::move(features)), descriptors_(std::move(descriptors)) {
+  assert(features_.size() == descriptors_.size());
   BuildGrid(camera);
 }
 

@@ -33,6 +33,11 @@ class FrameFeatures {
   // Throws InputError if the image is malformed or not of the camera's size.
   FrameFeatures(const RgbdImage& image, const CameraModel& camera, const OrbExtractor& extractor);
 
+  // Of an image that was seen before: as they were, from a file. Precondition: one descriptor per
+  // feature, and pixels that are finite and not far outside the image.
+  FrameFeatures(Stamp stamp, std::vector<Feature> features, std::vector<Descriptor> descriptors,
+                const CameraModel& camera);
+
   // The same features as all rows would have shown them in the middle of the exposure, of a camera that
   // moves like this. Of features without depth only the turn is taken out.
   std::shared_ptr<const FrameFeatures> Rectified(const CameraTwist& twist, double readout_s,

@@ -8,6 +8,7 @@
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/worker.h"
 #include "semantic_slam/map/map.h"
+#include "semantic_slam/map/map_file.h"
 
 namespace semantic_slam {
 namespace {
@@ -82,6 +83,43 @@ class VisualLocalization::Implementation {
     Begin();
   }
 
+  void Restart() {
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
+    if (!HasMap()) return Begin();
+    tracker_.StartLost();
+    last_stamp_.reset();
+  }
+
+  void SetMapping(bool on) {
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
+    tracker_.SetMapping(on);
+  }
+
+  void SaveMap(const std::string& path) {
+    StoredMap stored;
+    {
+      std::lock_guard<std::mutex> lock(tracking_mutex_);
+      Finish();
+      std::lock_guard<std::mutex> map_lock(map_.mutex());
+      stored = {camera_->intrinsics(), map_.scales(), map_.Contents()};
+    }
+    WriteMapFile(path, stored);
+  }
+
+  void LoadMap(const std::string& path) {
+    const StoredMap stored = ReadMapFile(path);
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
+    CheckMapFits(path, stored, camera_->intrinsics(), map_.scales());
+    Finish();
+    {
+      std::lock_guard<std::mutex> map_lock(map_.mutex());
+      map_.Load(stored.contents);
+    }
+    mapper_.Reset(camera_);
+    closer_.KnowMap();
+    tracker_.StartLost();
+  }
+
   void Finish() {
     std::unique_lock<std::mutex> lock(pending_mutex_);
     idle_.wait(lock, [this] { return unfinished_ == 0; });
@@ -129,6 +167,11 @@ class VisualLocalization::Implementation {
     mapper_.Reset(camera_);
     closer_.Reset(camera_);
     last_stamp_.reset();
+  }
+
+  bool HasMap() const {
+    std::lock_guard<std::mutex> lock(map_.mutex());
+    return !map_.keyframes().empty();
   }
 
   bool MappingHasRoom() const {
@@ -247,6 +290,10 @@ void VisualLocalization::Reset() { implementation_->Reset(); }
 void VisualLocalization::Reset(std::shared_ptr<const CameraModel> camera) {
   implementation_->Reset(std::move(camera));
 }
+void VisualLocalization::Restart() { implementation_->Restart(); }
+void VisualLocalization::SetMapping(bool on) { implementation_->SetMapping(on); }
+void VisualLocalization::SaveMap(const std::string& path) { implementation_->SaveMap(path); }
+void VisualLocalization::LoadMap(const std::string& path) { implementation_->LoadMap(path); }
 void VisualLocalization::Finish() { implementation_->Finish(); }
 std::uint64_t VisualLocalization::revision() const { return implementation_->revision(); }
 KeyframeGraph VisualLocalization::keyframe_graph() const {

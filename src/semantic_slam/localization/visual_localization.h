@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -75,6 +76,26 @@ class VisualLocalization {
 
   // The same, and from now on images are `camera`'s: the way to go after a change of calibration.
   void Reset(std::shared_ptr<const CameraModel> camera);
+
+  // Images of another time come, and perhaps of another place: the map stays, and the camera is lost
+  // in it. Without a map, the same as Reset().
+  void Restart();
+
+  // Whether the map grows and changes with what is seen; on unless set. Off, poses come from the map
+  // as it is: no image becomes a keyframe, nothing is begun where the camera is lost. What mapping
+  // was given before is still worked off.
+  void SetMapping(bool on);
+
+  // Writes the present map and the dormant ones into a file, see map_file.h; waits for mapping and
+  // loop closing first. Throws InputError naming the file if it cannot be written or there is no map
+  // yet.
+  void SaveMap(const std::string& path);
+
+  // Replaces the maps by those of a file. The camera is lost in them until it comes to a place that
+  // they know; with mapping on, a new map begins beside them if it does not, as after any loss.
+  // Throws InputError naming the file, and changes nothing, if it is no such file, damaged, or made
+  // with another camera or pyramid.
+  void LoadMap(const std::string& path);
 
   // Waits until mapping and loop closing have worked off what they were given.
   void Finish();

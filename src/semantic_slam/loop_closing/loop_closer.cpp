@@ -53,8 +53,14 @@ void LoopCloser::AdjustAll(StageTimer& timer) {
 void LoopCloser::Reset(std::shared_ptr<const CameraModel> camera) {
   camera_ = std::move(camera);
   index_.Clear();
-  corrector_.Reset();
   last_closed_ = kNoKeyframe;
+}
+
+void LoopCloser::KnowMap() {
+  index_.Clear();
+  last_closed_ = kNoKeyframe;
+  std::lock_guard<std::mutex> lock(map_.mutex());
+  for (const auto& [id, keyframe] : map_.keyframes()) index_.Add(id, keyframe->features);
 }
 
 // Puts the keyframe into the index, and takes those out that have been culled.

@@ -61,6 +61,9 @@ class LoopCloser {
   // Forgets what it knows of the map: to be called with Map::Clear().
   void Reset(std::shared_ptr<const CameraModel> camera);
 
+  // Knows the keyframes that the map has now and no others: to be called with Map::Load().
+  void KnowMap();
+
   std::size_t loops() const { return loops_; }
 
  private:

@@ -37,12 +37,9 @@ bool LoopCorrector::Correct(const Loop& loop, const CameraModel& camera) {
     essential = BuildEssentialGraph();
   }
   Join(place_points, camera, window);
-  AddLoopEdges(window, loop.place, essential.graph.poses[essential.index.at(loop.place)]);
-  for (const LoopEdge& edge : loop_edges_) {
-    const auto a = essential.index.find(edge.a), b = essential.index.find(edge.b);
-    if (a == essential.index.end() || b == essential.index.end()) continue;
-    essential.graph.edges.push_back({a->second, b->second, edge.T_a_b, 1.0});
-  }
+  const std::vector<LoopEdge> ties =
+      Tie(window, loop.place, essential.graph.poses[essential.index.at(loop.place)]);
+  for (const LoopEdge& tie : ties) essential.Add(tie);
   OptimizePoseGraph(essential.graph, {options_.translation_sigma_m, options_.rotation_sigma_rad,
                                       options_.max_iterations});
   std::map<KeyframeId, Rigid3d> corrected;
@@ -51,6 +48,7 @@ bool LoopCorrector::Correct(const Loop& loop, const CameraModel& camera) {
   std::lock_guard<std::mutex> lock(map_.mutex());
   MoveKeyframes(corrected, map_);
   MergePoints(window);
+  for (const LoopEdge& tie : ties) map_.AddLoopEdge(tie);
   map_.BumpRevision(reason);
   return true;
 }
@@ -119,14 +117,23 @@ LoopCorrector::Essential LoopCorrector::BuildEssentialGraph() const {
       }
     }
   }
+  for (const LoopEdge& edge : map_.loop_edges()) essential.Add(edge);
   return essential;
 }
 
-void LoopCorrector::AddLoopEdges(const std::vector<Member>& window, KeyframeId place,
-                                 const Rigid3d& T_map_place) {
+void LoopCorrector::Essential::Add(const LoopEdge& edge) {
+  const auto a = index.find(edge.a), b = index.find(edge.b);
+  if (a == index.end() || b == index.end()) return;
+  graph.edges.push_back({a->second, b->second, edge.T_a_b, 1.0});
+}
+
+std::vector<LoopEdge> LoopCorrector::Tie(const std::vector<Member>& window, KeyframeId place,
+                                         const Rigid3d& T_map_place) {
+  std::vector<LoopEdge> ties;
   for (const Member& member : window) {
-    loop_edges_.push_back({place, member.id, T_map_place.inverse() * member.T_map_camera});
+    ties.push_back({place, member.id, T_map_place.inverse() * member.T_map_camera});
   }
+  return ties;
 }
 
 // Features that show one of the place's points get it; what they showed until now is the same.

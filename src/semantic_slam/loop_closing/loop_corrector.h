@@ -47,9 +47,6 @@ class LoopCorrector {
   // False, and nothing has changed, if the keyframes of the loop are gone.
   bool Correct(const Loop& loop, const CameraModel& camera);
 
-  // Forgets all loops: to be called with Map::Clear().
-  void Reset() { loop_edges_.clear(); }
-
  private:
   // A keyframe near the loop's end.
   struct Member {
@@ -58,14 +55,13 @@ class LoopCorrector {
     Rigid3d T_map_camera;         // where the place's points put it
     std::vector<PointId> points;  // per feature: the place's point; or kNoPoint
   };
-  struct LoopEdge {
-    KeyframeId a, b;
-    Rigid3d T_a_b;
-  };
   // All keyframes, as the pose graph sees them.
   struct Essential {
     PoseGraph3d graph;
     std::map<KeyframeId, int> index;
+
+    // Does nothing if one of the keyframes is not among them.
+    void Add(const LoopEdge& edge);
   };
 
   std::vector<Member> SelectWindow(const Loop& loop) const;
@@ -73,14 +69,13 @@ class LoopCorrector {
   void Join(const std::vector<MapPoint>& place_points, const CameraModel& camera,
             std::vector<Member>& window) const;
   Essential BuildEssentialGraph() const;
-  void AddLoopEdges(const std::vector<Member>& window, KeyframeId place,
-                    const Rigid3d& T_map_place);
+  static std::vector<LoopEdge> Tie(const std::vector<Member>& window, KeyframeId place,
+                                   const Rigid3d& T_map_place);
   void MergePoints(const std::vector<Member>& window);
 
   const LoopCorrectorOptions options_;
   const ObservationNoise noise_;
   Map& map_;
-  std::vector<LoopEdge> loop_edges_;
 };
 
 }  // namespace semantic_slam

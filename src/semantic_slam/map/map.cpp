@@ -135,14 +135,7 @@ void Map::UpdateCovisibility(KeyframeId id) {
   for (const auto& [other, shared] : keyframe.covisible) {
     if (Keyframe* neighbour = FindKeyframe(other)) neighbour->covisible.erase(id);
   }
-  keyframe.covisible.clear();
-  for (const PointId point_id : keyframe.points) {
-    const MapPoint* point = FindPoint(point_id);
-    if (point == nullptr) continue;
-    for (const Observation& o : point->observations) {
-      if (o.keyframe != id) ++keyframe.covisible[o.keyframe];
-    }
-  }
+  CountCovisible(keyframe);
   for (const auto& [other, shared] : keyframe.covisible) {
     FindKeyframe(other)->covisible[id] = shared;
   }
@@ -157,6 +150,17 @@ void Map::UpdateCovisibility(KeyframeId id) {
   }
   // A view that shares nothing hangs on the one before it: the tree must reach every keyframe.
   keyframe.parent = parent != kNoKeyframe ? parent : std::prev(it)->first;
+}
+
+void Map::CountCovisible(Keyframe& keyframe) const {
+  keyframe.covisible.clear();
+  for (const PointId point_id : keyframe.points) {
+    const MapPoint* point = FindPoint(point_id);
+    if (point == nullptr) continue;
+    for (const Observation& o : point->observations) {
+      if (o.keyframe != keyframe.id) ++keyframe.covisible[o.keyframe];
+    }
+  }
 }
 
 void Map::UpdatePointAppearance(PointId id) {
@@ -287,15 +291,20 @@ KeyframeGraph Map::Graph() const {
 }
 
 void Map::Clear() {
+  ForgetAll();
+  ++map_id_;
+  BumpRevision(RevisionReason::kReset);
+}
+
+void Map::ForgetAll() {
   keyframes_.clear();
   culled_.clear();
+  loop_edges_.clear();
   first_point_ += static_cast<PointId>(points_.size());
   points_.clear();
   merges_.clear();
   earlier_merges_.clear();
   point_count_ = 0;
-  ++map_id_;
-  BumpRevision(RevisionReason::kReset);
 }
 
 void Map::BeginNew(std::size_t max_dormant_keyframes) {

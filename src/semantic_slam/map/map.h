@@ -67,6 +67,14 @@ struct Keyframe {
       false;  // began a map that was joined to another: it need not see what its parent does
 };
 
+// Two keyframes of one place that closing a loop has tied together.
+struct LoopEdge {
+  KeyframeId a, b;
+  Rigid3d T_a_b;
+};
+
+struct MapContents;  // map_contents.h
+
 // The map of camera localization: keyframes, points, who sees what, and the covisibility graph and
 // spanning tree that follow from it (Mur-Artal et al., ORB-SLAM, T-RO 2015, section III.C-D).
 //
@@ -178,6 +186,18 @@ class Map {
 
   std::size_t dormant_keyframes() const;
 
+  // In the order in which they were added; those of keyframes that are gone stay listed.
+  const std::vector<LoopEdge>& loop_edges() const { return loop_edges_; }
+  void AddLoopEdge(const LoopEdge& edge) { loop_edges_.push_back(edge); }
+
+  // All maps, as they may be kept in a file.
+  MapContents Contents() const;
+
+  // Replaces all maps by those. Keyframes, points and maps get ids that come after all that were
+  // used so far, in the same order, so map_id grows by as many maps as there are. Precondition:
+  // `contents` are sound, see CheckMapContents().
+  void Load(const MapContents& contents);
+
  private:
   struct Culled {
     int map_id;
@@ -188,11 +208,14 @@ class Map {
 
   void AdoptChildrenOf(const Keyframe& keyframe);
   void Forget(int map_id);
+  void ForgetAll();
+  void CountCovisible(Keyframe& keyframe) const;
 
   const std::vector<float> scales_;
   mutable std::mutex mutex_;
   std::map<KeyframeId, std::unique_ptr<Keyframe>> keyframes_;
   std::map<KeyframeId, Culled> culled_;
+  std::vector<LoopEdge> loop_edges_;
   // By id - first_point_; empty where the point was erased or merged. 8 bytes each stay behind.
   std::vector<std::unique_ptr<MapPoint>> points_;
   // From a merged point to the one that took its place: since the newest keyframe was added, and

@@ -61,12 +61,26 @@ void Tracker::Reset(std::shared_ptr<const CameraModel> camera) {
   if (!(camera->intrinsics() == camera_->intrinsics()))
     readout_.Reset(camera->intrinsics().readout_s);
   camera_ = std::move(camera);
+  ForgetLast();
   status_ = TrackingStatus::kInitializing;
+  T_odom_camera_.reset();
+}
+
+void Tracker::StartLost() {
+  ForgetLast();
+  status_ = TrackingStatus::kLost;
+}
+
+void Tracker::ForgetLast() {
   last_ = Frame();
   motion_.Reset();
-  T_odom_camera_ = T_map_start_;
   images_since_keyframe_ = 0;
   most_inliers_since_keyframe_ = 0;
+  unknown_since_.reset();
+}
+
+void Tracker::SetMapping(bool on) {
+  mapping_ = on;
   unknown_since_.reset();
 }
 
@@ -77,37 +91,45 @@ TrackerResult Tracker::Track(std::shared_ptr<const FrameFeatures> features, bool
   frame.is_inlier.assign(features->size(), false);
   frame.features = std::move(features);
   if (status_ == TrackingStatus::kInitializing) {
-    if (!CanBeginMap(frame)) return Finish(frame, TrackingStatus::kInitializing, std::nullopt);
-    T_odom_camera_ = T_map_start_;
+    if (!mapping_ || !CanBeginMap(frame)) {
+      return Finish(frame, TrackingStatus::kInitializing, std::nullopt);
+    }
     return BeginMap(frame, T_map_start_);
   }
   ++images_since_keyframe_;
   ++images_since_relocalization_;
   bool found = false;
   if (status_ == TrackingStatus::kTracking) {
-    last_.T_map_camera = map_.KeyframePose(last_.reference) * last_.T_reference_camera;
+    last_.T_map_camera = LastPose();
     found = TrackFromLast(frame);
   }
   found = found && TrackLocalMap(frame, images_since_relocalization_ < kCautiousImages
                                             ? options_.min_relocalization_inliers
                                             : options_.min_inliers);
   if (!found && !Relocalise(frame)) {
-    if (!IsLostForLong(frame)) return Finish(frame, TrackingStatus::kLost, std::nullopt);
-    const Rigid3d T_map_last = map_.KeyframePose(last_.reference) * last_.T_reference_camera;
+    if (!mapping_ || !IsLostForLong(frame)) {
+      return Finish(frame, TrackingStatus::kLost, std::nullopt);
+    }
+    const Rigid3d T_map_last = LastPose();
     map_.BeginNew(options_.max_dormant_keyframes);
-    last_ = Frame();
-    motion_.Reset();
+    ForgetLast();
     return BeginMap(frame, T_map_last);
   }
   unknown_since_.reset();
 
   TrackerResult result;
   std::optional<KeyframeId> new_keyframe;
-  const bool wants_keyframe = WantsKeyframe(frame);
+  const bool wants_keyframe = mapping_ && WantsKeyframe(frame);
   if (wants_keyframe && keyframe_allowed) new_keyframe = InsertKeyframe(frame);
   result = Finish(frame, TrackingStatus::kTracking, new_keyframe);
   result.keyframe_rejected = wants_keyframe && !keyframe_allowed;
   return result;
+}
+
+// Where the image tracked last is in today's map; where a map starts if there is none.
+Rigid3d Tracker::LastPose() const {
+  if (last_.features == nullptr) return T_map_start_;
+  return map_.KeyframePose(last_.reference) * last_.T_reference_camera;
 }
 
 // What the rows of the frame tell apart; nothing if the shutter is known not to roll.
@@ -330,7 +352,7 @@ std::vector<PointId> Tracker::CollectLocalPoints(Frame& frame) const {
 void Tracker::MatchLocalPoints(Frame& frame, const std::vector<PointId>& local_points) {
   std::set<PointId> matched(frame.points.begin(), frame.points.end());
   for (const PointId id : matched) {
-    if (id != kNoPoint) ++map_.FindPoint(id)->visible;
+    if (id != kNoPoint) map_.FindPoint(id)->visible += mapping_;
   }
   const Rigid3d T_camera_map = frame.T_map_camera.inverse();
   std::vector<ProjectionCandidate> candidates;
@@ -342,7 +364,7 @@ void Tracker::MatchLocalPoints(Frame& frame, const std::vector<PointId>& local_p
     MapPoint& point = *map_.FindPoint(id);
     const auto view = PredictView(point, T_camera_map, *camera_, map_.scales());
     if (!view) continue;
-    ++point.visible;
+    point.visible += mapping_;
     const float radius = view->view_cosine > kFrontalCosine ? kFrontalRadiusPx : kObliqueRadiusPx;
     candidates.push_back({view->pixel, widen * radius * map_.scales()[view->octave],
                           view->octave - 1, view->octave + 1, 0.0f, &point.descriptor});
@@ -378,7 +400,7 @@ void Tracker::OptimiseFrame(Frame& frame) {
   for (std::size_t k = 0; k < features.size(); ++k) {
     frame.is_inlier[features[k]] = estimate.is_inlier[k];
     if (estimate.is_inlier[k]) {
-      ++map_.FindPoint(frame.points[features[k]])->found;
+      map_.FindPoint(frame.points[features[k]])->found += mapping_;
     } else {
       frame.points[features[k]] = kNoPoint;
     }
@@ -444,17 +466,18 @@ TrackerResult Tracker::Finish(Frame& frame, TrackingStatus status,
   frame.T_reference_camera =
       map_.FindKeyframe(frame.reference)->T_map_camera.inverse() * frame.T_map_camera;
   if (last_.features != nullptr) {
-    const Rigid3d T_map_last = map_.KeyframePose(last_.reference) * last_.T_reference_camera;
-    const Rigid3d T_last_camera = T_map_last.inverse() * frame.T_map_camera;
-    T_odom_camera_ = Orthonormalised(T_odom_camera_ * T_last_camera);
+    const Rigid3d T_last_camera = LastPose().inverse() * frame.T_map_camera;
+    T_odom_camera_ = Orthonormalised(*T_odom_camera_ * T_last_camera);
     if (was_tracking) {
       motion_.Update(last_.features->stamp(), frame.features->stamp(), T_last_camera);
     }
+  } else if (!T_odom_camera_) {
+    T_odom_camera_ = T_map_start_;
   }
   image.keyframe_id = frame.reference;
   image.T_keyframe_camera = frame.T_reference_camera;
   image.T_map_camera = frame.T_map_camera;
-  image.T_odom_camera = T_odom_camera_;
+  image.T_odom_camera = *T_odom_camera_;
   image.inliers = frame.inliers;
   image.is_keyframe = new_keyframe.has_value();
   last_ = std::move(frame);

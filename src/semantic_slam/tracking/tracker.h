@@ -81,8 +81,12 @@ class Tracker {
   double readout_s() const { return readout_.readout_s(); }
 
   // The pose of the image that starts the first map, and every map after a Reset(). One that starts
-  // after a loss has the pose that was known last.
+  // after a loss has the pose that was known last, if there was one.
   void SetStart(const Rigid3d& T_map_camera) { T_map_start_ = T_map_camera; }
+
+  // False: the map stays as it is. No image becomes a keyframe, and a camera that is lost stays so
+  // until it comes to a known place. True unless set.
+  void SetMapping(bool on);
 
   // `keyframe_allowed`: whether local mapping can take a keyframe now.
   TrackerResult Track(std::shared_ptr<const FrameFeatures> features, bool keyframe_allowed);
@@ -90,6 +94,10 @@ class Tracker {
   // Forgets the last image, not the map: to be called with Map::Clear(). Images to come are of
   // `camera`.
   void Reset(std::shared_ptr<const CameraModel> camera);
+
+  // Forgets the last image; the camera is lost somewhere in the map: to be called with Map::Load().
+  // odom goes on from where it was.
+  void StartLost();
 
  private:
   // One image on its way through the stages.
@@ -107,6 +115,8 @@ class Tracker {
   std::optional<RollingShutter> Shutter(const Frame& frame) const;
   void Rectify(Frame& frame, const CameraTwist& twist) const;
   void MeasureTwist(Frame& frame) const;
+  void ForgetLast();
+  Rigid3d LastPose() const;
   bool CanBeginMap(const Frame& frame) const;
   bool IsLostForLong(const Frame& frame);
   TrackerResult BeginMap(Frame& frame, const Rigid3d& T_map_camera);
@@ -135,7 +145,8 @@ class Tracker {
   Frame last_;
   MotionModel motion_;
   ReadoutEstimator readout_;
-  Rigid3d T_odom_camera_ = Rigid3d::Identity();
+  std::optional<Rigid3d> T_odom_camera_;  // empty until an image is tracked
+  bool mapping_ = true;
   int images_since_keyframe_ = 0;
   int most_inliers_since_keyframe_ = 0;
   int images_since_relocalization_ = 0;
