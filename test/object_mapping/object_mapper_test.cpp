@@ -295,16 +295,24 @@ TEST_F(ObjectMapperTest, ObjectsOfAMapThatWasLostComeBackWhenItIsJoined) {
   EXPECT_NEAR(joined.objects[0].position_m.y(), table.position_m.y() + 1.0, 1e-6);
 }
 
-TEST_F(ObjectMapperTest, AResetForgetsObjectsOfMapsThatWereLost) {
-  FeedTable(0, 3);
-  KeyframeGraph graph;
-  graph.map_id = 1;
-  graph.reason = RevisionReason::kReset;
-  mapper_.FollowGraph(graph);
-  graph = GraphOf(3, Rigid3d::Identity(), 1);
-  graph.map_id = 1;
-  mapper_.FollowGraph(graph);
-  EXPECT_TRUE(mapper_.Objects().objects.empty());
+TEST_F(ObjectMapperTest, AResetOrALoadedMapForgetsObjectsOfMapsThatWereLost) {
+  int map_id = 0;
+  for (const RevisionReason reason : {RevisionReason::kReset, RevisionReason::kLoad}) {
+    for (int i = 3 * map_id; i < 3 * map_id + 3; ++i) {
+      Input input = MakeInput(scene_, i, Along(i), {{table_, 1, kTable}});
+      input.tracked.map_id = map_id;
+      Feed(mapper_, input);
+    }
+    EXPECT_EQ(mapper_.Objects().objects.size(), 1u);
+    KeyframeGraph graph;
+    graph.map_id = ++map_id;
+    graph.reason = reason;
+    mapper_.FollowGraph(graph);
+    graph = GraphOf(6, Rigid3d::Identity(), 1);
+    graph.map_id = map_id;
+    mapper_.FollowGraph(graph);
+    EXPECT_TRUE(mapper_.Objects().objects.empty());
+  }
 }
 
 TEST_F(ObjectMapperTest, ResetForgetsObjects) {

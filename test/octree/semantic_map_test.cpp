@@ -237,10 +237,12 @@ TEST_F(SemanticMapperTest, AMapThatTrackingLostComesBackWhenItIsJoined) {
   EXPECT_TRUE(IsOccupied(mapper, 10.52, 0.02, 2.02));
 }
 
-TEST_F(SemanticMapperTest, AResetOrANewStartOfTrackingForgetsAll) {
-  KeyframeGraph reset = Graph(8, {At(0.0)}, 2), earlier_map = Graph(8, {At(0.0)}, 0);
+TEST_F(SemanticMapperTest, AResetALoadedMapOrANewStartOfTrackingForgetsAll) {
+  KeyframeGraph reset = Graph(8, {At(0.0)}, 2), loaded = reset,
+                earlier_map = Graph(8, {At(0.0)}, 0);
   reset.reason = RevisionReason::kReset;
-  for (const KeyframeGraph& graph : {reset, earlier_map, Graph(6, {At(0.0)})}) {
+  loaded.reason = RevisionReason::kLoad;
+  for (const KeyframeGraph& graph : {reset, loaded, earlier_map, Graph(6, {At(0.0)})}) {
     SemanticMapper mapper = Mapper();
     mapper.FollowGraph(Graph(7, {At(0.0)}));
     mapper.Insert(Wall(1), Image(1, 0));

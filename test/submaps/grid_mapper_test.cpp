@@ -214,16 +214,18 @@ TEST(GridMapperTest, AMapThatWasLostComesBackWhenItIsJoined) {
   EXPECT_GT(CellAt(mapper.Render(), {4.02, -0.3}), 50) << "where the wall at x = 3 m lies now";
 }
 
-TEST(GridMapperTest, AResetForgetsMapsThatWereLost) {
-  GridMapper mapper;
-  InsertAt(mapper, MakeRigid2d({0.0, 0.0}, 0.0));
-  KeyframeGraph reset;
-  reset.map_id = 1;
-  reset.revision = 5;
-  reset.reason = RevisionReason::kReset;
-  mapper.FollowGraph(reset);
-  mapper.FollowGraph(GraphOf(6, {Rigid3d::Identity()}, 1));
-  EXPECT_TRUE(mapper.Render().cells.empty());
+TEST(GridMapperTest, AResetOrALoadedMapForgetsMapsThatWereLost) {
+  for (const RevisionReason reason : {RevisionReason::kReset, RevisionReason::kLoad}) {
+    GridMapper mapper;
+    InsertAt(mapper, MakeRigid2d({0.0, 0.0}, 0.0));
+    KeyframeGraph begun;
+    begun.map_id = 1;
+    begun.revision = 5;
+    begun.reason = reason;
+    mapper.FollowGraph(begun);
+    mapper.FollowGraph(GraphOf(6, {Rigid3d::Identity()}, 1));
+    EXPECT_TRUE(mapper.Render().cells.empty());
+  }
 }
 
 TEST(GridMapperTest, IgnoresAnOldGraph) {

@@ -11,4 +11,8 @@ const char* ToString(TrackingStatus status) {
   return "unknown";
 }
 
+bool ForgetsLostMaps(RevisionReason reason) {
+  return reason == RevisionReason::kReset || reason == RevisionReason::kLoad;
+}
+
 }  // namespace semantic_slam

@@ -57,6 +57,9 @@ enum class RevisionReason : std::uint8_t {
   kLost = 5,  // a new map begins; the one before may be joined to it later
 };
 
+// Whether maps that were lost before the change can never be joined to the present one.
+bool ForgetsLostMaps(RevisionReason reason);
+
 // What was in an older map is in this one again.
 struct MapMerge {
   int old_map_id = 0;

@@ -211,7 +211,7 @@ void ObjectMapper::FollowGraph(const KeyframeGraph& graph) {
   if (map_id_ && graph.map_id < *map_id_) return;
   if (map_id_ == graph.map_id && graph.revision < poses_.revision()) return;
   BeginMap(graph.map_id);
-  if (graph.reason == RevisionReason::kReset) aside_.clear();
+  if (ForgetsLostMaps(graph.reason)) aside_.clear();
   KeyframePoses listed(graph);
   // What is not listed, as it should be, stays where it was.
   for (const MappedObject& object : objects_) {

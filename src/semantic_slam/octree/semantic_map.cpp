@@ -75,7 +75,7 @@ bool SemanticMapper::FollowGraph(const KeyframeGraph& graph) {
   CheckPoses(graph);
   const bool is_new_map = graph.map_id != poses_.map_id();
   const bool is_forgotten = graph.revision < poses_.revision() || graph.map_id < poses_.map_id() ||
-                            (is_new_map && graph.reason == RevisionReason::kReset);
+                            (is_new_map && ForgetsLostMaps(graph.reason));
   const bool had_content = tree_->getRoot() != nullptr;
   poses_ = KeyframePoses(graph);
   if (is_forgotten) {

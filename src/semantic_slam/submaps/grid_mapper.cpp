@@ -51,7 +51,7 @@ void GridMapper::FollowGraph(const KeyframeGraph& graph) {
   if (!BelongsToTheMap(graph.map_id)) return;
   if (keyframes_.map_id() == graph.map_id && graph.revision < keyframes_.revision()) return;
   keyframes_ = KeyframePoses(graph);
-  if (graph.reason == RevisionReason::kReset) submaps_.ForgetLaidAside();
+  if (ForgetsLostMaps(graph.reason)) submaps_.ForgetLaidAside();
   bool moved = submaps_.TakeBack(keyframes_);
   for (Submap* submap : submaps_.all()) {
     const auto T_map_keyframe = keyframes_.Find(submap->keyframe());
