@@ -339,25 +339,26 @@ void Map::JoinTo(KeyframeId place, const Rigid3d& T_dormant_present) {
   const int dormant = FindKeyframe(place)->map_id;
   assert(dormant != map_id_);
   for (auto& [id, keyframe] : keyframes_) {
-    if (!IsPresent(*keyframe)) continue;
-    keyframe->T_map_camera = Orthonormalised(T_dormant_present * keyframe->T_map_camera);
-    if (keyframe->parent != kNoKeyframe) continue;
-    keyframe->parent = place;
-    keyframe->is_joint = true;
-  }
-  for (auto& point : points_) {
-    if (point == nullptr || point->map_id != map_id_) continue;
-    point->position = T_dormant_present * point->position;
-    point->view_direction = T_dormant_present.linear() * point->view_direction;
-  }
-  for (auto& [id, keyframe] : keyframes_) {
-    if (keyframe->map_id == dormant) keyframe->map_id = map_id_;
+    if (keyframe->map_id == dormant) {
+      keyframe->map_id = map_id_;
+    } else if (IsPresent(*keyframe)) {
+      keyframe->T_map_camera = Orthonormalised(T_dormant_present * keyframe->T_map_camera);
+      if (keyframe->parent != kNoKeyframe) continue;
+      keyframe->parent = place;
+      keyframe->is_joint = true;
+    }
   }
   for (auto& [id, culled] : culled_) {
     if (culled.map_id == dormant) culled.map_id = map_id_;
   }
   for (auto& point : points_) {
-    if (point != nullptr && point->map_id == dormant) point->map_id = map_id_;
+    if (point == nullptr) continue;
+    if (point->map_id == dormant) {
+      point->map_id = map_id_;
+    } else if (point->map_id == map_id_) {
+      point->position = T_dormant_present * point->position;
+      point->view_direction = T_dormant_present.linear() * point->view_direction;
+    }
   }
   merge_ = MapMerge{dormant, map_id_, Rigid3d::Identity()};
   BumpRevision(RevisionReason::kMerge);
