@@ -133,6 +133,14 @@ TEST_F(MapContentsTest, IdsComeAfterAllThatWereUsedBefore) {
   EXPECT_EQ(loaded_.map_id(), 4);
 }
 
+TEST_F(MapContentsTest, KeptAndLoadedAgainAndAgainIdsGrowByTheMapsOwn) {
+  const KeyframeId first = maps_.map.Contents().keyframes.front().id;
+  Reload();
+  for (int i = 0; i < 100; ++i) loaded_.Load(MapContents(loaded_.Contents()));
+  EXPECT_EQ(loaded_.Contents().next_keyframe, 101 * (SmallMaps::kNext - first));
+  EXPECT_EQ(loaded_.keyframes().size(), maps_.map.keyframes().size());
+}
+
 TEST_F(MapContentsTest, TheLoadedMapGoesOnAsAnyOther) {
   Map& loaded = Reload();
   loaded.JoinTo(3, ShiftedBy(1.0));

@@ -1,5 +1,6 @@
 #include "semantic_slam/map/map_contents.h"
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <utility>
@@ -10,6 +11,16 @@ namespace {
 // Adds `shift` to an id, unless it is the one that stands for none.
 std::int64_t Shifted(std::int64_t id, std::int64_t none, std::int64_t shift) {
   return id == none ? none : id + shift;
+}
+
+// Of keyframes that are there and that were; ids below it were given away by earlier maps.
+KeyframeId LeastId(const MapContents& contents) {
+  KeyframeId least = contents.next_keyframe;
+  for (const Keyframe& keyframe : contents.keyframes) least = std::min(least, keyframe.id);
+  for (const CulledKeyframe& culled : contents.culled) {
+    least = std::min({least, culled.id, culled.parent});
+  }
+  return least;
 }
 
 }  // namespace
@@ -50,7 +61,7 @@ void Map::Load(const MapContents& contents) {
   std::map<int, int> new_map_id;
   for (const Keyframe& keyframe : contents.keyframes) new_map_id[keyframe.map_id];
   for (auto& entry : new_map_id) entry.second = ++map_id_;
-  const KeyframeId shift = next_keyframe_;
+  const KeyframeId shift = next_keyframe_ - LeastId(contents);
   for (MapPoint point : contents.points) {
     point.id += first_point_;
     point.map_id = new_map_id.at(point.map_id);
@@ -81,7 +92,7 @@ void Map::Load(const MapContents& contents) {
     loop_edges_.push_back(edge);
   }
   for (auto& entry : keyframes_) CountCovisible(*entry.second);
-  next_keyframe_ += contents.next_keyframe;
+  next_keyframe_ = contents.next_keyframe + shift;
   BumpRevision(RevisionReason::kLoad);
 }
 
