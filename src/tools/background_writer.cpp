@@ -32,7 +32,7 @@ void BackgroundWriter::Write(const Item& item) {
     const Stamp stamp = item.image.measured.stamp;
     const VisibleObjects objects =
         boxes_.Find(item.image.truth, item.T_world_camera, camera_, item.time_s, stamp);
-    writer_.Add(item.image, objects.detections);
+    writer_.Add(item.image, objects);
   } catch (const std::exception&) {
     error_ = std::current_exception();
     has_failed_ = true;

@@ -171,7 +171,7 @@ void Render(const Arguments& arguments, const CameraConfig& config, const std::s
   const VisibleBoxes boxes(options.boxes, world, vocabulary);
   const SimulatedCamera camera(std::make_shared<const SceneRenderer>(world), config.intrinsics,
                                options.camera);
-  RenderedSequenceWriter writer(folder, config, vocabulary, arguments.truth_period);
+  RenderedSequenceWriter writer(folder, config, vocabulary, *world, arguments.truth_period);
   CopyText(world_path, fs::path(folder) / "world.yaml");
   WriteTruthFiles(folder, *world, vocabulary, path.T_world_camera);
   BackgroundWriter background(writer, boxes, camera.model());

@@ -216,7 +216,7 @@ void RenderWorld(const Arguments& arguments, const SetPlan& plan, int index,
       std::make_shared<const World>(MakeRandomWorld(plan.split, seed, plan.vocabulary));
   WorldPhotographer photographer(world, plan.vocabulary, config.intrinsics, arguments.depth, seed);
   const VisibleBoxes boxes(plan.boxes, world, plan.vocabulary);
-  RenderedSequenceWriter writer(folder, config, plan.vocabulary);
+  RenderedSequenceWriter writer(folder, config, plan.vocabulary, *world);
   BackgroundWriter background(writer, boxes, photographer.camera());
   CameraPath path;
   for (int i = 0; i < arguments.images; ++i) {

@@ -29,6 +29,17 @@ TEST(ClassListTest, MergedLabelsCountAsTheirClassAndTheRestIsIgnored) {
   for (const int id : {0, 2, 9, 100, 255}) EXPECT_EQ(classes.of_label[id], kIgnoredClass) << id;
 }
 
+TEST(ClassListTest, TellsHowMuchOfAnObjectMustBeVisible) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text) {
+    return ReadClassList(folder.Write("classes.yaml", text), SmallVocabulary()).least_visible_share;
+  };
+  EXPECT_EQ(read("classes: [chair]\n"), 0.0);
+  EXPECT_EQ(read("classes: [chair]\nleast_visible_share: 0.5\n"), 0.5);
+  ExpectOneLineWith(ErrorOf("classes: [chair]\nleast_visible_share: 1.5\n"),
+                    {"classes.yaml", "least_visible_share", "1.5"});
+}
+
 TEST(ClassListTest, OptionalLabelsAreIgnoredAndMarked) {
   const TemporaryFolder folder;
   const std::string path = folder.Write("classes.yaml", "classes: [chair]\noptional: [table]\n");

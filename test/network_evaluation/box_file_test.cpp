@@ -33,6 +33,14 @@ TEST(BoxFileTest, ReadsBoxesInPixels) {
   ExpectBox(boxes[1].box, {-0.5f, -0.5f, 100.0f, 100.0f});
 }
 
+TEST(BoxFileTest, ALineMayTellWhichShareIsVisible) {
+  const std::vector<FileBox> boxes = Read("5 0.5 0.5 0.2 0.4 0.25\n5 0.5 0.5 0.2 0.4\n");
+  ASSERT_EQ(boxes.size(), 2u);
+  EXPECT_EQ(boxes[0].visible_share, 0.25);
+  EXPECT_EQ(boxes[0].box, boxes[1].box);
+  EXPECT_EQ(boxes[1].visible_share, 1.0);
+}
+
 TEST(BoxFileTest, OfAPolygonTheBoxAroundItCounts) {
   const std::vector<FileBox> boxes = Read("1 0.1 0.2 0.3 0.1 0.2 0.6\n");
   ASSERT_EQ(boxes.size(), 1u);
@@ -53,7 +61,7 @@ TEST(BoxFileTest, NoFileNoBoxes) {
 TEST(BoxFileTest, RefusesOtherLines) {
   for (const char* line :
        {"1 0.5 0.5 0.2", "chair 0.5 0.5 0.2 0.2", "1.5 0.5 0.5 0.2 0.2", "1 0.5 0.5 nan 0.2",
-        "1 0.1 0.1 0.2 0.2 0.3", "1 0.5 0.5 0.2 0.2 x", "1e9 0.5 0.5 0.2 0.2"}) {
+        "1 0.1 0.1 0.2 0.2 0.3 0.3 0.4", "1 0.5 0.5 0.2 0.2 x", "1e9 0.5 0.5 0.2 0.2"}) {
     const std::string error =
         MessageOf<InputError>([&] { Read(std::string("0 0.5 0.5 0.1 0.1\n") + line + "\n"); });
     ExpectOneLineWith(error, {"boxes.txt:2", "expected class"});

@@ -76,6 +76,19 @@ TEST_F(DetectionEvaluationTest, TrueBoxesThatTheNetworkCannotSeeAreLeftOut) {
   EXPECT_EQ(counting_.ReadTruth(image, kSize).boxes.size(), 1u);
 }
 
+TEST_F(DetectionEvaluationTest, ObjectsOfWhichTooLittleIsVisibleAreOptional) {
+  ClassList classes = classes_;
+  classes.least_visible_share = 0.5;
+  const BoxCounting counting(classes, model_.card.input, kMaxOverlap);
+  std::string hidden = CellBox(0, {2, 3}), clear = CellBox(0, {4, 1});
+  hidden.insert(hidden.size() - 1, " 0.4");
+  clear.insert(clear.size() - 1, " 0.6");
+  const BoxedImage image = Write("hidden", {2, 3}, hidden + clear);
+  const ImageTruth truth = counting.ReadTruth(image, kSize);
+  EXPECT_EQ(truth.optional.size(), 1u);
+  EXPECT_EQ(truth.boxes.size(), 1u);
+}
+
 TEST_F(DetectionEvaluationTest, WhatIsFoundOnAnOptionalObjectDoesNotCount) {
   ClassList classes = classes_;
   classes.is_optional[LabelOf("desk")] = true;

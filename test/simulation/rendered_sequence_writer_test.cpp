@@ -33,12 +33,25 @@ SimulatedImage Image(Stamp stamp) {
   return image;
 }
 
-Detections Boxes(Stamp stamp) {
-  Detections boxes;
-  boxes.stamp = stamp;
-  boxes.image_size = {16, 8};
-  boxes.boxes = {{4, 1.0f, {-0.5f, -0.5f, 8.0f, 8.0f}}};  // the left half
-  return boxes;
+VisibleObjects Objects(Stamp stamp) {
+  VisibleObjects objects;
+  objects.detections.stamp = stamp;
+  objects.detections.image_size = {16, 8};
+  objects.detections.boxes = {{4, 1.0f, {-0.5f, -0.5f, 8.0f, 8.0f}}};  // the left half
+  objects.instances = {300};
+  objects.visible_shares = {0.75f};
+  return objects;
+}
+
+// Two chairs that look alike, and a table.
+World Twins() {
+  World world;
+  for (const LabelId label : {3, 3, 4}) {
+    world.objects.emplace_back();
+    world.objects.back().instance = static_cast<InstanceId>(world.objects.size());
+    world.objects.back().label = label;
+  }
+  return world;
 }
 
 CameraPath Path() {
@@ -58,9 +71,9 @@ std::string TextOf(const std::string& path) {
 }
 
 void Write(const std::string& folder, int truth_period) {
-  RenderedSequenceWriter writer(folder, Camera(), SmallVocabulary(), truth_period);
+  RenderedSequenceWriter writer(folder, Camera(), SmallVocabulary(), Twins(), truth_period);
   for (const StampedPose& stamped : Path().T_world_camera) {
-    writer.Add(Image(stamped.stamp), Boxes(stamped.stamp));
+    writer.Add(Image(stamped.stamp), Objects(stamped.stamp));
   }
   writer.Finish(Path());
 }
@@ -83,7 +96,14 @@ TEST(RenderedSequenceWriterTest, HasTheTruthOfEveryImage) {
   const cv::Mat instances = cv::imread(folder / "instances/2.000000.png", cv::IMREAD_UNCHANGED);
   ASSERT_EQ(instances.type(), CV_16UC1);
   EXPECT_EQ(instances.at<std::uint16_t>(3, 3), 300);
-  EXPECT_EQ(TextOf(folder / "boxes/2.000000.txt"), "4 0.250000 0.500000 0.500000 1.000000\n");
+  EXPECT_EQ(TextOf(folder / "boxes/2.000000.txt"),
+            "4 0.250000 0.500000 0.500000 1.000000 0.750000\n");
+}
+
+TEST(RenderedSequenceWriterTest, TellsWhichObjectsLookAlike) {
+  const TemporaryFolder folder;
+  Write(folder.path(), 1);
+  EXPECT_EQ(TextOf(folder / "looks.txt"), "# instance look\n1 1\n2 1\n3 2\n");
 }
 
 TEST(RenderedSequenceWriterTest, ClassesAreNamedByLine) {
@@ -117,7 +137,8 @@ TEST(RenderedSequenceWriterTest, MayLeaveTruthOut) {
 TEST(RenderedSequenceWriterTest, NamesAFolderThatCannotBeMade) {
   const TemporaryFolder folder;
   const std::string file = folder.Write("file", "");
-  EXPECT_THROW(RenderedSequenceWriter(file + "/below", Camera(), SmallVocabulary()), InputError);
+  EXPECT_THROW(RenderedSequenceWriter(file + "/below", Camera(), SmallVocabulary(), Twins()),
+               InputError);
 }
 
 }  // namespace

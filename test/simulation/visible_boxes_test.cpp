@@ -83,6 +83,25 @@ TEST_F(VisibleBoxesTest, WhatTheImagesEdgeCutsIsNotHidden) {
   EXPECT_EQ(Find(options).instances.size(), 1u);
 }
 
+TEST_F(VisibleBoxesTest, TellWhichShareOfTheObjectIsVisible) {
+  builder_.Add(kChair, BoxMesh({3, 0.9f, 0}, {0.01f, 0.8f, 0.8f}));
+  builder_.Add(kChair, BoxMesh({3, -0.9f, 0}, {0.01f, 0.8f, 0.8f}));
+  builder_.Add(kTable, BoxMesh({2.9f, -1.1f, 0}, {0.01f, 0.4f, 2.0f}));  // before half of that
+  const VisibleObjects found = Find();
+  ASSERT_EQ(found.instances, (std::vector<InstanceId>{2, 3, 4}));
+  // A chair is some 20 pixels wide; which pixels lie on edges is left to rounding.
+  EXPECT_NEAR(found.visible_shares[0], 1.0f, 0.05f);
+  EXPECT_NEAR(found.visible_shares[1], 0.5f, 0.08f);
+}
+
+TEST_F(VisibleBoxesTest, WhatLeavesTheImageIsNotVisible) {
+  const double half_width = 3.0 * 0.5 * 96 / kCamera.intrinsics().fx_px;  // of the view, at 3 m
+  builder_.Add(kChair, BoxMesh({3, static_cast<float>(half_width), 0}, {0.01f, 2, 1}));
+  const VisibleObjects found = Find();
+  ASSERT_EQ(found.instances.size(), 1u);
+  EXPECT_NEAR(found.visible_shares[0], 0.5f, 0.05f);
+}
+
 TEST_F(VisibleBoxesTest, AnEmptyViewHasNone) {
   EXPECT_TRUE(Find().detections.boxes.empty());
 }

@@ -24,6 +24,14 @@ def test_labels_may_be_optional(tmp_path):
     assert classes.optional == {7} and classes.of_label[7] == IGNORE
 
 
+def test_hidden_objects_may_be_optional(tmp_path):
+    path = tmp_path / "classes.yaml"
+    path.write_text("classes: [wall]\n")
+    assert read_class_list(path, VOCABULARY).least_visible_share == 0.0
+    path.write_text("classes: [wall]\nleast_visible_share: 0.5\n")
+    assert read_class_list(path, VOCABULARY).least_visible_share == 0.5
+
+
 @pytest.mark.parametrize("text, words", [
     ("classes: [wall, wall]", "each once"),
     ("classes: []", "1 to 255 names"),
@@ -31,6 +39,8 @@ def test_labels_may_be_optional(tmp_path):
     ("classes: [wall]\nmerge: {table: tabel}", "'tabel' is none of the classes"),
     ("classes: [wall]\noptional: [tabel]", "'tabel' is no label"),
     ("classes: [wall]\noptional: [wall]", "'wall' is one of the classes"),
+    ("classes: [wall]\nleast_visible_share: 1.5", "least_visible_share: 1.5, expected 0 to 1"),
+    ("classes: [wall]\nleast_visible_share: half", "least_visible_share: half, expected 0 to 1"),
     ("classes: [wall", "not YAML"),
     ("wall", "expected a map"),
 ])

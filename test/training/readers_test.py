@@ -59,11 +59,33 @@ def test_rendered_boxes_of_optional_labels_are_marked(rendered, classes):
     assert RenderedDetection([rendered[0]], optional).read(1)[2].tolist() == [0, OPTIONAL]
 
 
+def test_rendered_boxes_of_hidden_objects_are_optional(rendered, classes):
+    root, _ = rendered
+    path = root / "b/boxes/0.500000.txt"
+    line = path.read_text().splitlines()[0]
+    path.write_text(f"{line} 0.4\n{line} 0.6\n{line}\n")
+    wanted = dataclasses.replace(classes, least_visible_share=0.5)
+    sets = [RenderedDetection([root], each) for each in (classes, wanted)]
+    image = next(index for index in range(len(sets[0])) if len(sets[0].read(index)[1]) == 3)
+    assert [each.read(image)[2].tolist() for each in sets] == [[1, 1, 1], [OPTIONAL, 1, 1]]
+
+
 def test_rendered_images_without_a_file_of_boxes_are_left_out(rendered, classes):
     (rendered[0] / "a/boxes/0.500000.txt").unlink()
     (rendered[0] / "b/boxes/0.500000.txt").write_text("")
     dataset = RenderedDetection([rendered[0]], classes)
     assert [len(dataset.read(index)[1]) for index in range(len(dataset))] == [1, 0]
+
+
+def test_rendered_objects_that_look_alike_are_one(rendered, classes):
+    root, boxes = rendered
+    write_image(root / "a/instances/1.500000.png", fill((48, 64), boxes[1], 8, 0, np.uint16))
+    assert RenderedObjects([root], classes, least_side_px=10).identities.tolist() == [0, 1, 2]
+    (root / "a/looks.txt").write_text("# instance look\n7 3\n8 3\n")
+    assert RenderedObjects([root], classes, least_side_px=10).identities.tolist() == [0, 0, 1]
+    (root / "a/looks.txt").write_text("7 chair\n")
+    with pytest.raises(TrainingError, match="looks.txt: expected two whole numbers"):
+        RenderedObjects([root], classes, least_side_px=10)
 
 
 def test_rendered_objects_are_known_again_within_a_world(rendered, classes):

@@ -39,8 +39,8 @@ def test_boxes_follow_their_pixels(seed):
     box = (20, 12, 44, 30)
     view = random_view(np.random.default_rng(seed), (64, 48), (96, 64), WILD)
     expected = box_of(view_image(box_image(box), view, (96, 64), pad=0))
-    boxes, visible = view_boxes(np.array([box], np.float32), view, (96, 64))
-    assert visible.tolist() == [True]
+    boxes, shares = view_boxes(np.array([box], np.float32), view, (96, 64))
+    assert shares[0] > 0.5
     assert boxes[0].tolist() == pytest.approx(expected, abs=1.0)  # whole pixels against edges between them
 
 
@@ -67,17 +67,17 @@ def test_what_is_around_the_image_is_ignored():
     assert labels[5, 50] == IGNORE and labels[48, 50] == 0
 
 
-def test_boxes_that_are_nearly_out_are_dropped():
+def test_boxes_tell_which_share_of_them_is_left():
     view = letterbox((64, 48), (64, 48))
     boxes = np.array([[-30.0, 10.0, 4.0, 20.0], [-4.0, 10.0, 20.0, 20.0], [5.0, 5.0, 7.0, 30.0]])
-    cut, visible = view_boxes(boxes, view, (64, 48))
-    assert visible.tolist() == [False, True, False]
+    cut, shares = view_boxes(boxes, view, (64, 48))
+    assert shares.tolist() == pytest.approx([4 / 34, 20 / 24, 0.0])  # the last is too narrow
     assert cut[1].tolist() == [0, 10, 20, 20]
 
 
 def test_no_boxes_stay_none():
-    cut, visible = view_boxes(np.zeros((0, 4), np.float32), letterbox((64, 48), (64, 48)), (64, 48))
-    assert cut.shape == (0, 4) and visible.shape == (0,)
+    cut, shares = view_boxes(np.zeros((0, 4), np.float32), letterbox((64, 48), (64, 48)), (64, 48))
+    assert cut.shape == (0, 4) and shares.shape == (0,)
 
 
 def test_without_augmentation_the_light_stays():

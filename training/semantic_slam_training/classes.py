@@ -19,11 +19,13 @@ class ClassList:
 
     `of_label` is uint8 of 256: class index of each id of config/labels.yaml, IGNORE if it is in none.
     `optional`: ids of which a detector may find objects or not: they could as well be of one of the classes.
+    `least_visible_share`: objects of which less is visible may be found or not, too.
     """
 
     names: tuple
     of_label: np.ndarray
     optional: frozenset = frozenset()
+    least_visible_share: float = 0.0
 
 
 def read_yaml(path):
@@ -50,7 +52,7 @@ def label_id(path, name, vocabulary):
 
 def read_class_list(path, vocabulary=None):
     """Reads `classes: [names]` and what else there may be: `merge: {label: class}` for labels that count as
-    another class, `optional: [labels]` for objects that may be found or not."""
+    another class, and for objects that may be found or not `optional: [labels]` and `least_visible_share: 0 to 1`."""
     vocabulary = vocabulary or read_vocabulary()
     content = read_yaml(path)
     names = tuple(content.get("classes") or ())
@@ -67,4 +69,7 @@ def read_class_list(path, vocabulary=None):
     for name, label in optional.items():
         if of_label[label] != IGNORE:
             raise TrainingError(f"{path}: optional: '{name}' is one of the classes or merged into one")
-    return ClassList(names, of_label, frozenset(optional.values()))
+    share = content.get("least_visible_share", 0.0)
+    if not isinstance(share, (int, float)) or not 0 <= share <= 1:
+        raise TrainingError(f"{path}: least_visible_share: {share}, expected 0 to 1")
+    return ClassList(names, of_label, frozenset(optional.values()), float(share))

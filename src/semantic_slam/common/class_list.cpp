@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "semantic_slam/common/check.h"
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/yaml_options.h"
 
@@ -65,11 +66,15 @@ ClassList ReadClassList(const std::string& path, const LabelVocabulary& vocabula
   reader.Read("merge", merge);
   std::vector<std::string> optional;
   reader.Read("optional", optional);
+  double least_visible_share = 0.0;
+  reader.Read("least_visible_share", least_visible_share);
   reader.Finish();
   if (names.empty() || std::set<std::string>(names.begin(), names.end()).size() != names.size()) {
     throw ConfigError(path + ": classes: expected one or more names, each once");
   }
+  CheckInRange(path + ": least_visible_share", least_visible_share, 0.0, 1.0);
   ClassList classes;
+  classes.least_visible_share = least_visible_share;
   for (const std::string& name : names) classes.Add(name, FindLabel(path, name, vocabulary));
   ReadMerge(merge, path, vocabulary, classes);
   ReadOptional(optional, path, vocabulary, classes);

@@ -27,7 +27,7 @@ std::optional<std::vector<double>> ParseNumbers(const std::string& line) {
 
 // In shares of the image: left, top and right, bottom.
 cv::Rect2d BoundingBox(const std::vector<double>& numbers) {
-  if (numbers.size() == 5) {
+  if (numbers.size() < 7) {
     return {numbers[1] - 0.5 * numbers[3], numbers[2] - 0.5 * numbers[4], numbers[3], numbers[4]};
   }
   cv::Point2d low(numbers[1], numbers[2]);
@@ -41,7 +41,9 @@ cv::Rect2d BoundingBox(const std::vector<double>& numbers) {
 
 std::optional<FileBox> ParseLine(const std::string& line, cv::Size image) {
   const auto numbers = ParseNumbers(line);
-  if (!numbers || numbers->size() < 5 || numbers->size() % 2 == 0) return std::nullopt;
+  if (!numbers || numbers->size() < 5) return std::nullopt;
+  const bool tells_share = numbers->size() == 6;
+  if (numbers->size() % 2 == 0 && !tells_share) return std::nullopt;
   const double number = numbers->front();
   if (number != std::floor(number) || std::abs(number) > 1e6) return std::nullopt;
   const cv::Rect2d shares = BoundingBox(*numbers);
@@ -49,7 +51,8 @@ std::optional<FileBox> ParseLine(const std::string& line, cv::Size image) {
   const cv::Point2d low(cut(shares.x) * image.width - 0.5, cut(shares.y) * image.height - 0.5);
   const cv::Point2d high(cut(shares.x + shares.width) * image.width - 0.5,
                          cut(shares.y + shares.height) * image.height - 0.5);
-  return FileBox{static_cast<int>(number), cv::Rect2f(cv::Point2f(low), cv::Point2f(high))};
+  return FileBox{static_cast<int>(number), cv::Rect2f(cv::Point2f(low), cv::Point2f(high)),
+                 tells_share ? numbers->back() : 1.0};
 }
 
 }  // namespace

@@ -51,8 +51,12 @@ ImageTruth BoxCounting::ReadTruth(const BoxedImage& image, cv::Size size) const 
     const int c = classes_.of_label[label];
     const float side = std::min(box.box.width / fit.scale_x(), box.box.height / fit.scale_y());
     if (side < kLeastSidePx) continue;
-    if (c != kIgnoredClass) truth.boxes.push_back({c, 1.0f, box.box});
-    if (classes_.is_optional[label]) truth.optional.push_back(box.box);
+    const bool is_hidden = box.visible_share < classes_.least_visible_share;
+    if (classes_.is_optional[label] || (c != kIgnoredClass && is_hidden)) {
+      truth.optional.push_back(box.box);
+    } else if (c != kIgnoredClass) {
+      truth.boxes.push_back({c, 1.0f, box.box});
+    }
   }
   return truth;
 }

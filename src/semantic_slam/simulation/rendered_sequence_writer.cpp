@@ -5,6 +5,7 @@
 
 #include "semantic_slam/common/atomic_file.h"
 #include "semantic_slam/evaluation/trajectory.h"
+#include "semantic_slam/worlds/looks.h"
 
 namespace semantic_slam {
 
@@ -22,38 +23,51 @@ void WriteClasses(const fs::path& path, const LabelVocabulary& vocabulary) {
   });
 }
 
+void WriteLooks(const fs::path& path, const World& world) {
+  const std::vector<int> looks = LooksOf(world);
+  WriteFileAtomically(path, [&](std::ostream& out) {
+    out << "# instance look\n";
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      out << world.objects[i].instance << ' ' << looks[i] << '\n';
+    }
+  });
+}
+
 }  // namespace
 
 RenderedSequenceWriter::RenderedSequenceWriter(const std::string& folder,
                                                const CameraConfig& camera,
-                                               const LabelVocabulary& vocabulary, int truth_period)
+                                               const LabelVocabulary& vocabulary,
+                                               const World& world, int truth_period)
     : folder_(folder),
       R_imu_camera_(camera.R_camera_imu.transpose()),
       truth_period_(truth_period),
       writer_(folder, camera) {
   WriteClasses(fs::path(folder_) / "classes.txt", vocabulary);
+  WriteLooks(fs::path(folder_) / "looks.txt", world);
 }
 
-void RenderedSequenceWriter::Add(const SimulatedImage& image, const Detections& boxes) {
+void RenderedSequenceWriter::Add(const SimulatedImage& image, const VisibleObjects& objects) {
   writer_.Add(image.measured);
   if (images_++ % static_cast<std::size_t>(truth_period_) != 0) return;
   writer_.Add("labels", image.measured.stamp, image.truth.labels);
   writer_.Add("instances", image.measured.stamp, image.truth.instances);
-  WriteBoxes(boxes);
+  WriteBoxes(objects);
 }
 
 // Pixel (0, 0) is the middle of the first one, so the image begins at -0.5.
-void RenderedSequenceWriter::WriteBoxes(const Detections& boxes) const {
+void RenderedSequenceWriter::WriteBoxes(const VisibleObjects& objects) const {
+  const Detections& boxes = objects.detections;
   const fs::path path = fs::path(folder_) / "boxes" / (ToString(boxes.stamp) + ".txt");
   WriteFileAtomically(path, [&](std::ostream& out) {
     out << std::fixed << std::setprecision(6);
-    for (const DetectedBox& detected : boxes.boxes) {
-      const cv::Rect2f& box = detected.box;
-      out << static_cast<int>(detected.label) << ' '
+    for (std::size_t i = 0; i < boxes.boxes.size(); ++i) {
+      const cv::Rect2f& box = boxes.boxes[i].box;
+      out << static_cast<int>(boxes.boxes[i].label) << ' '
           << (box.x + 0.5f * box.width + 0.5f) / boxes.image_size.width << ' '
           << (box.y + 0.5f * box.height + 0.5f) / boxes.image_size.height << ' '
           << box.width / boxes.image_size.width << ' ' << box.height / boxes.image_size.height
-          << '\n';
+          << ' ' << objects.visible_shares[i] << '\n';
     }
   });
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "semantic_slam/common/options.h"
+#include "semantic_slam/simulation/silhouette.h"
 
 namespace semantic_slam {
 namespace {
@@ -73,6 +74,10 @@ VisibleObjects VisibleBoxes::Find(const RenderedView& view, const Rigid3d& T_wor
     if (box.area() < options_.min_visible_share * full_area) continue;
     found.detections.boxes.push_back({object.label, 1.0f, box});
     found.instances.push_back(object.instance);
+    const int whole = SilhouettePixels(object, T_world_camera.inverse() * object.Pose(time_s),
+                                       camera.intrinsics());
+    found.visible_shares.push_back(
+        std::min(1.0f, static_cast<float>(extent.pixels) / static_cast<float>(std::max(whole, 1))));
   }
   return found;
 }

@@ -27,6 +27,7 @@ struct VisibleBoxesOptions {
 struct VisibleObjects {
   Detections detections;              // with confidence 1, by ascending instance
   std::vector<InstanceId> instances;  // one per box
+  std::vector<float> visible_shares;  // one per box: of its silhouette, 0 to 1
 };
 
 // Knows which boxes a perfect detector would find in a rendered view. Immutable, so safe from any

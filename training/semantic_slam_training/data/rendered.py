@@ -3,7 +3,9 @@
 A folder holds rgb.txt and the images that it lists, and what is asked for of
     labels.txt, labels/*.png        label id of each pixel, 8 bits
     instances.txt, instances/*.png  number of the object that each pixel shows, 16 bits; 0 is none
-    boxes/<stamp>.txt               "id cx cy width height" a line, shares of the image's size; id of the label
+    looks.txt                       "instance look" of each object; without it each has a look of its own
+    boxes/<stamp>.txt               "id cx cy width height visible" a line: id of the label, shares of the image's size,
+                                    and which share of the object is visible, which may be left out
 Not every image need have them; those without are left out. A set is one such folder, or one that has some below it.
 """
 
@@ -78,6 +80,7 @@ class RenderedDetection:
         self.names = classes.names
         self._of_label = classes.of_label.astype(np.int64)
         self._of_label[sorted(classes.optional)] = OPTIONAL
+        self._least_visible_share = classes.least_visible_share
         images = [image for root in roots for folder in sequence_folders(root)
                   for image in read_list(folder / "rgb.txt").values()]
         self._images = [image for image in images if boxes_file(image).exists()]
@@ -92,11 +95,12 @@ class RenderedDetection:
         what may be found or not), and those of pixels as RenderedSegmentation has them, or None."""
         path = self._images[index]
         image = read_colour(path)
-        boxes, ids = read_boxes(boxes_file(path), image.shape)
+        boxes, ids, visible_shares = read_boxes(boxes_file(path), image.shape)
         if np.any((ids < 0) | (ids > IGNORE)):
             raise TrainingError(f"{boxes_file(path)}: expected ids of labels, 0 to {IGNORE}")
         classes = self._of_label[ids]
         kept = classes != IGNORE
+        classes[kept & (visible_shares < self._least_visible_share)] = OPTIONAL
         return image, boxes[kept], classes[kept], self._read_labels(path, image)
 
     def _read_labels(self, path, image):
@@ -109,7 +113,7 @@ class RenderedDetection:
 
 @dataclasses.dataclass(frozen=True)
 class Crop:
-    """Where an object is seen: file, box (left, top, right, bottom) [px], and a number of the object."""
+    """Where an object is seen: file, box (left, top, right, bottom) [px], and a number of what it looks like."""
 
     path: pathlib.Path
     box: tuple
@@ -133,8 +137,19 @@ def object_boxes(instances, labels, of_label, least_side_px):
     return boxes
 
 
+def read_looks(path):
+    """Instance number -> number of its look; empty if there is no such file."""
+    if not path.exists():
+        return {}
+    try:
+        return dict(map(int, line.split()) for line in path.read_text().splitlines() if line.strip() and line[0] != "#")
+    except ValueError as error:
+        raise TrainingError(f"{path}: expected two whole numbers a line, instance and look") from error
+
+
 class RenderedObjects:
-    """Crops of objects; those of one object in one world are of one identity."""
+    """Crops of objects; those of one object in one world are of one identity, and so are those of its twins, from which
+    no picture tells it apart."""
 
     def __init__(self, roots, classes, least_side_px):
         self.crops = []
@@ -147,11 +162,13 @@ class RenderedObjects:
 
     def _scan(self, folder, of_label, least_side_px):
         labels, instances = read_list(folder / "labels.txt"), read_list(folder / "instances.txt")
+        looks = read_looks(folder / "looks.txt")
         for stamp, image in read_list(folder / "rgb.txt").items():
             if stamp in labels and stamp in instances:
                 boxes = object_boxes(read_ids(instances[stamp]), read_ids(labels[stamp]), of_label, least_side_px)
                 for number, box in boxes.items():
-                    identity = self._identity_of.setdefault((folder, number), len(self._identity_of))
+                    look = (folder, looks.get(number, -number))
+                    identity = self._identity_of.setdefault(look, len(self._identity_of))
                     self.crops.append(Crop(image, box, identity))
 
     def __len__(self):

@@ -67,6 +67,9 @@ class SegmentationSamples(Samples):
         return torch.from_numpy(np.stack(blobs)), torch.from_numpy(np.stack(labels).astype(np.int64))
 
 
+LEAST_SHARE_LEFT = 0.3  # of a box's area; what the view cuts more of may be found or not
+
+
 class DetectionSamples(Samples):
     """Blobs; boxes and classes of each image's objects, see pad_objects(); and class indices, batch x h x w, int64,
     of every `label_stride`th pixel each way, IGNORE where none is known."""
@@ -78,13 +81,14 @@ class DetectionSamples(Samples):
     def make(self, random, item):
         image, boxes, classes, labels = item
         shown, view = self.show(random, image)
-        boxes, visible = view_boxes(boxes, view, self.format.size)
+        boxes, shares = view_boxes(boxes, view, self.format.size)
+        classes = np.where(shares < LEAST_SHARE_LEFT, OPTIONAL, classes)
         size = self.format.width // self.label_stride, self.format.height // self.label_stride
         if labels is None:
             labels = np.full(size[::-1], IGNORE, np.uint8)
         else:
             labels = view_labels(labels, shrink(view, self.label_stride), size)
-        return self.format.to_blob(shown), boxes[visible], classes[visible], labels
+        return self.format.to_blob(shown), boxes[shares > 0], classes[shares > 0], labels
 
     def collate(self, items):
         blobs, boxes, classes, labels = zip(*items)

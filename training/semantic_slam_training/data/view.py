@@ -8,7 +8,6 @@ import numpy as np
 
 from semantic_slam_training.classes import IGNORE
 
-LEAST_VISIBLE = 0.3  # of a box's area
 LEAST_SIDE_PX = 3.0
 
 
@@ -63,7 +62,7 @@ def corners(boxes):
 
 
 def view_boxes(boxes, view, input_size):
-    """Boxes around the turned ones, cut at the input's edges, and which of them still show enough.
+    """Boxes around the turned ones, cut at the input's edges, and which share of each is left; 0 if that is too small.
 
     Edges of boxes count from the outer edge of the first pixel, half a pixel from its centre.
     """
@@ -71,5 +70,5 @@ def view_boxes(boxes, view, input_size):
     whole = np.concatenate([moved.min(1), moved.max(1)], 1)
     cut = whole.clip(0, np.tile(input_size, 2))
     sides, whole_sides = cut[:, 2:] - cut[:, :2], whole[:, 2:] - whole[:, :2]
-    visible = sides.prod(1) >= LEAST_VISIBLE * whole_sides.prod(1)
-    return cut.astype(np.float32), visible & (sides.min(1, initial=np.inf) >= LEAST_SIDE_PX)
+    shares = sides.prod(1) / whole_sides.prod(1).clip(min=1e-6)
+    return cut.astype(np.float32), np.where(sides.min(1, initial=np.inf) >= LEAST_SIDE_PX, shares, 0.0)

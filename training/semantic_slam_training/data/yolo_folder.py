@@ -73,7 +73,7 @@ class YoloFolder:
         pixels' classes are known."""
         image = read_colour(self._images[index])
         path = labels_file(self._images[index])
-        boxes, classes = read_boxes(path, image.shape)
+        boxes, classes, _ = read_boxes(path, image.shape)
         if np.any((classes < 0) | (classes >= len(self.names))):
             raise TrainingError(f"{path}: expected classes 0 to {len(self.names) - 1}")
         return image, boxes, classes, None
