@@ -171,7 +171,7 @@ def test_the_rate_rises_and_falls():
 @pytest.mark.parametrize("changes, words", [
     ({"steps": 0}, "--steps 0: expected 1 or more"),
     ({"learning_rate": -1.0}, "--learning-rate -1.0: expected a positive number"),
-    ({"optimizer": "adam"}, "--optimizer adam: expected adamw or sgd"),
+    ({"optimizer": "adam"}, "--optimizer adam: expected muon, adamw or sgd"),
     ({"average_decay": 1.0}, "--average-decay 1.0"),
     ({"precision": "half"}, "--precision half: expected full or mixed"),
 ])

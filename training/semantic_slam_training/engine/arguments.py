@@ -62,7 +62,7 @@ SETTING_HELP = {
     "steps": "length of the whole training, over which the learning rate falls",
     "batch_size": "images a step",
     "learning_rate": "highest learning rate",
-    "optimizer": "adamw or sgd",
+    "optimizer": "muon (and AdamW for what is no kernel), adamw or sgd",
     "weight_decay": "decay of weights",
     "warmup_steps": "steps over which the learning rate rises",
     "average_decay": "of the moving average of weights that is kept",

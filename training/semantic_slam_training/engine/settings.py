@@ -5,6 +5,7 @@ import math
 
 from semantic_slam_training.errors import TrainingError
 
+OPTIMIZERS = ("muon", "adamw", "sgd")
 LEAST_FACTOR = 0.01  # of the learning rate, at the end
 
 
@@ -15,7 +16,7 @@ class Settings:
     steps: int
     batch_size: int
     learning_rate: float
-    optimizer: str = "adamw"  # or sgd
+    optimizer: str = "muon"  # or one of OPTIMIZERS
     weight_decay: float = 0.02  # not of biases and normalisation
     warmup_steps: int = 200
     average_decay: float = 0.998  # of the moving average of weights, which is what is kept
@@ -33,7 +34,7 @@ class Settings:
         for name in ("steps", "batch_size", "validate_every", "validation_images", "checkpoint_every"):
             self.check(name, getattr(self, name) >= 1, "1 or more")
         self.check("learning_rate", self.learning_rate > 0, "a positive number")
-        self.check("optimizer", self.optimizer in ("adamw", "sgd"), "adamw or sgd")
+        self.check("optimizer", self.optimizer in OPTIMIZERS, ", ".join(OPTIMIZERS[:-1]) + f" or {OPTIMIZERS[-1]}")
         self.check("precision", self.precision in (None, "full", "mixed"), "full or mixed")
         self.check("minutes", self.minutes is None or self.minutes > 0, "a positive number")
         self.check("average_decay", 0 <= self.average_decay < 1, "0 or more and below 1")

@@ -5,22 +5,27 @@ import copy
 import torch
 
 from semantic_slam_training.engine import checkpoint
+from semantic_slam_training.engine.muon import MuonAndAdamW
 from semantic_slam_training.engine.network_spec import NetworkSpec
 from semantic_slam_training.errors import TrainingError
 
 
-def parameter_groups(network, weight_decay):
+def parameter_groups(parameters, weight_decay):
     """Weights decay; biases and normalisation do not."""
-    parameters = list(network.parameters())
+    parameters = list(parameters)
     return [{"params": [each for each in parameters if each.ndim > 1], "weight_decay": weight_decay},
             {"params": [each for each in parameters if each.ndim <= 1], "weight_decay": 0.0}]
 
 
 def make_optimizer(network, settings):
-    groups = parameter_groups(network, settings.weight_decay)
+    def groups_of(parameters):
+        return parameter_groups(parameters, settings.weight_decay)
+
+    if settings.optimizer == "muon":
+        return MuonAndAdamW(network, settings, groups_of)
     if settings.optimizer == "sgd":
-        return torch.optim.SGD(groups, settings.learning_rate, momentum=0.9, nesterov=True)
-    return torch.optim.AdamW(groups, settings.learning_rate)
+        return torch.optim.SGD(groups_of(network.parameters()), settings.learning_rate, momentum=0.9, nesterov=True)
+    return torch.optim.AdamW(groups_of(network.parameters()), settings.learning_rate)
 
 
 class TrainingState:

@@ -107,7 +107,7 @@ class Trainer:
         state = self.state
         torch.manual_seed(self.settings.seed * 1_000_003 + state.step)  # of dropout
         for group in state.optimizer.param_groups:
-            group["lr"] = self.settings.rate_at(state.step, state.moments_since)
+            group["lr"] = self.settings.rate_at(state.step, state.moments_since) * group.get("rate_factor", 1.0)
         state.network.train()
         with arithmetic(self.device, self.settings.precision):
             parts = self.task.losses(state.network, to_device(batch, self.device))
