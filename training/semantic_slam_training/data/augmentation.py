@@ -10,16 +10,16 @@ import numpy as np
 class Augmentation:
     """How far images may be changed; `none()` leaves them as they are."""
 
-    rotation_deg: float = 7.0
-    least_scale: float = 0.7
-    most_scale: float = 1.7
+    rotation_deg: float = 5.0
+    least_scale: float = 0.85
+    most_scale: float = 1.6
     shift: float = 0.05  # share of the input's size, besides what scaling leaves to choose
     flip_probability: float = 0.5
-    brightness: float = 0.25  # shares of 255 and of 1
-    contrast: float = 0.3
-    gamma: float = 0.3
-    saturation: float = 0.5
-    tint: float = 0.12  # of each channel by itself
+    brightness: float = 0.12  # shares of 255 and of 1
+    contrast: float = 0.2
+    gamma: float = 0.2
+    saturation: float = 0.35
+    tint: float = 0.06  # of each channel by itself
     blur_probability: float = 0.2
     most_blur_px: float = 1.2
     noise_probability: float = 0.3
