@@ -10,8 +10,10 @@
 namespace semantic_slam {
 namespace {
 
-constexpr double kWild = 0.06;   // how often a colour is any at all
-constexpr double kShiny = 0.25;  // how often a surface has a gloss of its own
+constexpr double kWild = 0.06;          // how often a colour is any at all
+constexpr double kWildTraining = 0.15;  // in training, where a pattern may be
+constexpr double kStrange = 0.2;        // one that belongs elsewhere
+constexpr double kShiny = 0.25;         // how often a surface has a gloss of its own
 
 struct Range {
   double low = 0.0;
@@ -126,8 +128,9 @@ const std::vector<Palette>* PalettesFor(const std::string& pattern, const std::s
   return palettes != nullptr ? palettes : FindPalettes(usual);
 }
 
-void Recolour(const std::vector<Palette>* palettes, Material& material, RandomStream& random) {
-  const bool is_wild = Chance(random, kWild);
+void Recolour(WorldSplit split, const std::vector<Palette>* palettes, Material& material,
+              RandomStream& random) {
+  const bool is_wild = Chance(random, split == WorldSplit::kTraining ? kWildTraining : kWild);
   if (palettes == nullptr) {
     material.rgb = Shaded(material.rgb, random);
   } else {
@@ -144,6 +147,10 @@ void Vary(WorldSplit split, Material& material, RandomStream& random) {
 
 std::string PatternInPlaceOf(WorldSplit split, const std::string& usual, RandomStream& random) {
   const std::vector<PatternChoice>& choices = PatternsFor(split, usual);
+  if (split == WorldSplit::kTraining && !choices.empty() && usual != "painting" &&
+      Chance(random, kStrange)) {
+    return OneOf(random, TrainingPatterns());
+  }
   return choices.empty() ? usual : WeightedOneOf(random, choices).pattern;
 }
 
@@ -153,7 +160,7 @@ Material RandomMaterial(WorldSplit split, const Material& usual, RandomStream& r
   Material material = usual;
   material.pattern = PatternInPlaceOf(split, usual.pattern, random);
   if (usual.brightness == 0.0f || usual.pattern != "plastic") {  // milk glass of lamps stays white
-    Recolour(PalettesFor(material.pattern, usual.pattern), material, random);
+    Recolour(split, PalettesFor(material.pattern, usual.pattern), material, random);
   }
   if (usual.brightness > 0.0f && usual.pattern == "fabric") {  // lampshades are light
     for (std::uint8_t& channel : material.rgb) channel = std::max<std::uint8_t>(channel, 150);
@@ -166,7 +173,7 @@ Material RandomSurface(WorldSplit split, const std::string& surface, RandomStrea
   Material material = MakeMaterial(PatternInPlaceOf(split, surface, random), {200, 200, 200});
   const std::vector<Palette>* palettes = FindPalettes(surface + "/" + material.pattern);
   if (palettes == nullptr) palettes = PalettesFor(material.pattern, surface);
-  Recolour(palettes, material, random);
+  Recolour(split, palettes, material, random);
   Vary(split, material, random);
   if (surface != "floor") material.gloss *= 0.3f;
   return material;

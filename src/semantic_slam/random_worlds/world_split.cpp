@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "semantic_slam/common/error.h"
 
@@ -69,6 +70,18 @@ const std::vector<PatternChoice>& PatternsFor(WorldSplit split, const std::strin
   const auto found = SplitTable().find(usual);
   if (found == SplitTable().end()) return kNoAlternative;
   return split == WorldSplit::kTraining ? found->second.training : found->second.validation;
+}
+
+const std::vector<std::string>& TrainingPatterns() {
+  static const std::vector<std::string> patterns = [] {
+    std::set<std::string> names;
+    for (const auto& [usual, choices] : SplitTable()) {
+      if (usual == "painting") continue;
+      for (const PatternChoice& choice : choices.training) names.insert(choice.pattern);
+    }
+    return std::vector<std::string>(names.begin(), names.end());
+  }();
+  return patterns;
 }
 
 std::uint64_t SeedFor(WorldSplit split, RandomStream& random) {

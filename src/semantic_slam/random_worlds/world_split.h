@@ -30,6 +30,9 @@ struct PatternChoice {
 // alternatives to both, with other seeds.
 const std::vector<PatternChoice>& PatternsFor(WorldSplit split, const std::string& usual);
 
+// All patterns of training that cover surfaces, none of them pictures.
+const std::vector<std::string>& TrainingPatterns();
+
 // A seed of materials and pieces that no world of the other split uses.
 std::uint64_t SeedFor(WorldSplit split, RandomStream& random);
 
