@@ -1,8 +1,10 @@
 #include "semantic_slam/random_worlds/world_split.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -79,6 +81,20 @@ TEST(WorldSplit, GivesKindsOfOneDesignOtherProportions) {
   for (int i = 0; i < 100; ++i) {
     EXPECT_LE(ProportionFor(WorldSplit::kTraining, *single, random), 1.0);
     EXPECT_GT(ProportionFor(WorldSplit::kValidation, *single, random), 1.0);
+  }
+}
+
+TEST(WorldSplit, VariesProportionsMoreInTraining) {
+  const FurnitureKind& chair = FindFurnitureKind("chair");
+  for (const auto& [split, most] :
+       {std::pair(WorldSplit::kTraining, 0.25), std::pair(WorldSplit::kValidation, 0.15)}) {
+    RandomStream random(1);
+    double widest = 0.0;
+    for (int i = 0; i < 200; ++i) {
+      widest = std::max(widest, std::abs(ProportionFor(split, chair, random) - 1.0));
+    }
+    EXPECT_LE(widest, most);
+    EXPECT_GT(widest, 0.9 * most);
   }
 }
 

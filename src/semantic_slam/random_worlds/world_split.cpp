@@ -90,8 +90,9 @@ std::uint64_t SeedFor(WorldSplit split, RandomStream& random) {
 
 double ProportionFor(WorldSplit split, const FurnitureKind& kind, RandomStream& random) {
   const double u = random.Uniform();
-  if (DesignCount(kind) > 1) return 0.85 + 0.3 * u;
-  return split == WorldSplit::kTraining ? 0.82 + 0.18 * u : 1.02 + 0.18 * u;
+  const bool is_training = split == WorldSplit::kTraining;
+  if (DesignCount(kind) > 1) return is_training ? 0.75 + 0.5 * u : 0.85 + 0.3 * u;
+  return is_training ? 0.82 + 0.18 * u : 1.02 + 0.18 * u;
 }
 
 }  // namespace semantic_slam

@@ -36,8 +36,9 @@ const std::vector<std::string>& TrainingPatterns();
 // A seed of materials and pieces that no world of the other split uses.
 std::uint64_t SeedFor(WorldSplit split, RandomStream& random);
 
-// A factor for depth and width against the usual ones. Kinds with one design get other proportions
-// in each split: training makes them narrower for their height, validation wider.
+// A factor for depth and width against the usual ones; in training further from it. Kinds with one
+// design get other proportions in each split: training makes them narrower for their height,
+// validation wider.
 double ProportionFor(WorldSplit split, const FurnitureKind& kind, RandomStream& random);
 
 }  // namespace semantic_slam
