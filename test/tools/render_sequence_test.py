@@ -46,7 +46,8 @@ def boxes(folder, stamp):
     """Class and edges in pixels, left, top, right, bottom, with the middle of the first pixel at 0."""
     size = np.array([WIDTH, HEIGHT])
     for line in (folder / f"boxes/{stamp}.txt").read_text().splitlines():
-        label, *numbers = line.split()
+        label, *numbers, visible_share = line.split()
+        assert 0 < float(visible_share) <= 1
         middle, extent = np.array(numbers, float).reshape(2, 2) * size
         yield int(label), (*(middle - extent / 2 - 0.5), *(middle + extent / 2 - 0.5))
 
