@@ -48,7 +48,9 @@ void BM_Track(benchmark::State& state) {
   std::vector<std::shared_ptr<const FrameFeatures>> frames;
   for (int i = 0; i < kImages; ++i) frames.push_back(features_at(i, Stamp{1}));
   Map map(extractor.scales());
-  Tracker tracker(TrackerOptions(), std::make_shared<const CameraModel>(room.camera()), map);
+  const PlaceIndex index{PlaceIndexOptions()};
+  Tracker tracker(TrackerOptions(), ReadoutOptions(),
+                  std::make_shared<const CameraModel>(room.camera()), map, index);
   tracker.Track(frames[0], true);
   int image = 0, step = 1;
   std::int64_t inliers = 0;

@@ -170,22 +170,65 @@ TEST_F(LocalMapperTest, ErasesYoungPointsThatAreSeldomFound) {
             static_cast<std::ptrdiff_t>(good.size() / 2));
 }
 
-TEST_F(LocalMapperTest, ErasesPointsThatNobodyElseHasSeenThreeKeyframesLater) {
+TEST_F(LocalMapperTest, ErasesPointsThatTooFewHaveSeenAfterTheirProbation) {
   const KeyframeId born = kKeyframes - 1;
   Process(born);
-  std::vector<PointId> alone;
+  std::vector<PointId> weak, good;
   for (const PointId id : map_->FindKeyframe(born)->points) {
     const MapPoint* point = map_->FindPoint(id);
-    if (point != nullptr && point->observations.size() == 1) alone.push_back(id);
+    if (point == nullptr) continue;
+    if (point->observations.size() >= 3) good.push_back(id);
+    if (point->observations.size() == 1) weak.push_back(id);
   }
-  ASSERT_FALSE(alone.empty());
-  for (KeyframeId later = born + 1; later <= born + 3; ++later) {
-    for (const PointId id : alone) EXPECT_NE(map_->FindPoint(id), nullptr) << later;
+  ASSERT_FALSE(weak.empty());
+  ASSERT_FALSE(good.empty());
+  const int probation = LocalMapperOptions().probation_keyframes;
+  for (KeyframeId later = born + 1; later <= born + probation; ++later) {
+    for (const PointId id : weak) EXPECT_NE(map_->FindPoint(id), nullptr) << later;
     ASSERT_EQ(map_->AddKeyframe(SquaresFeatures(1), TruePose(0)).id, later);  // of somewhere else
     map_->UpdateCovisibility(later);
     Process(later);
   }
-  for (const PointId id : alone) EXPECT_EQ(map_->FindPoint(id), nullptr);
+  for (const PointId id : weak) EXPECT_EQ(map_->FindPoint(id), nullptr);
+  for (const PointId id : good) EXPECT_NE(map_->FindPoint(id), nullptr);
+}
+
+TEST_F(LocalMapperTest, AYoungPointThatAnOlderKeyframeShowsTooIsOnProbationStill) {
+  const KeyframeId newest = kKeyframes - 1;
+  const auto& seen = map_->FindKeyframe(newest)->points;
+  const auto young = std::find_if(seen.begin(), seen.end(), [&](PointId id) {
+    const MapPoint* point = map_->FindPoint(id);
+    return point != nullptr && point->reference == newest;
+  });
+  ASSERT_NE(young, seen.end());
+  const PointId id = *young;
+  map_->ErasePoint(map_->FindKeyframe(0)->points[0]);
+  map_->AddObservation(id, 0, 0);
+  map_->FindPoint(id)->visible = 10;
+  map_->FindPoint(id)->found = 2;
+  LocalMapperOptions options;
+  options.probation_keyframes = 3;  // keyframe 0 is five before
+  LocalMapper(options, SmallCamera(), *map_).Process(newest, timer_);
+  EXPECT_EQ(map_->FindPoint(id), nullptr);
+}
+
+TEST_F(LocalMapperTest, APointThatLosesItsKeyframesLaterGoesToo) {
+  const KeyframeId newest = kKeyframes - 1;
+  std::vector<PointId> lonely;
+  for (const PointId id : map_->FindKeyframe(0)->points) {
+    const MapPoint* point = map_->FindPoint(id);
+    if (point == nullptr || point->observations.size() < 3 || lonely.size() == 10) continue;
+    lonely.push_back(id);
+    while (map_->FindPoint(id)->observations.size() > 2) {
+      map_->RemoveObservation(id, map_->FindPoint(id)->observations.back().keyframe);
+    }
+  }
+  ASSERT_EQ(lonely.size(), 10u);
+  LocalMapperOptions options;
+  options.probation_keyframes = 3;  // keyframe 0 made these points, five before the newest
+  options.fusion_neighbours = 0;    // else they are found again
+  LocalMapper(options, SmallCamera(), *map_).Process(newest, timer_);
+  for (const PointId id : lonely) EXPECT_EQ(map_->FindPoint(id), nullptr);
 }
 
 TEST_F(LocalMapperTest, FindsMorePointsInTheNewestKeyframe) {

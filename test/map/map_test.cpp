@@ -4,158 +4,10 @@
 #include <random>
 #include <set>
 
-#include <gtest/gtest.h>
-
-#include "testing/small_room.h"
+#include "map/map_fixture.h"
 
 namespace semantic_slam {
 namespace {
-
-Rigid3d At(double x_m, double y_m, double z_m) {
-  return Rigid3d(Eigen::Translation3d(x_m, y_m, z_m));
-}
-
-// Two frames of different content; the tests refer to features by number.
-const std::shared_ptr<const FrameFeatures>& FrameA() {
-  static const auto kFrame = SquaresFeatures(1);
-  return kFrame;
-}
-const std::shared_ptr<const FrameFeatures>& FrameB() {
-  static const auto kFrame = SquaresFeatures(2);
-  return kFrame;
-}
-
-class MapTest : public testing::Test {
- protected:
-  KeyframeId AddKeyframe(const Rigid3d& T_map_camera = Rigid3d::Identity()) {
-    return map_.AddKeyframe(FrameA(), T_map_camera).id;
-  }
-
-  // A point that all the keyframes see as feature `feature`.
-  PointId AddSharedPoint(const std::vector<KeyframeId>& keyframes, int feature) {
-    const PointId id = map_.AddPoint({0.0, 0.0, 2.0}, keyframes.front(), feature).id;
-    for (std::size_t i = 1; i < keyframes.size(); ++i) {
-      map_.AddObservation(id, keyframes[i], feature);
-    }
-    return id;
-  }
-
-  void AddSharedPoints(const std::vector<KeyframeId>& keyframes, int first_feature, int count) {
-    for (int i = 0; i < count; ++i) AddSharedPoint(keyframes, first_feature + i);
-  }
-
-  Map map_{SmallExtractor().scales()};
-};
-
-using MapPointTest = MapTest;
-
-TEST_F(MapPointTest, IsSeenFromTheKeyframeThatMadeIt) {
-  const KeyframeId keyframe = AddKeyframe(At(1.0, 0.0, 0.0));
-  const MapPoint& point = map_.AddPoint({1.0, 0.0, 2.0}, keyframe, 7);
-  EXPECT_EQ(map_.FindKeyframe(keyframe)->points[7], point.id);
-  ASSERT_EQ(point.observations.size(), 1u);
-  EXPECT_EQ(point.observations[0].keyframe, keyframe);
-  EXPECT_EQ(point.observations[0].feature, 7);
-  EXPECT_EQ(point.reference, keyframe);
-  EXPECT_EQ(point.descriptor, FrameA()->descriptor(7));
-  EXPECT_EQ(map_.point_count(), 1u);
-}
-
-TEST_F(MapPointTest, ItsDistancesAreThoseAtWhichItsPatchFitsThePyramid) {
-  const std::vector<float>& scales = map_.scales();
-  const auto& features = FrameA()->features();
-  for (const int octave : {0, 2}) {
-    const auto feature = std::find_if(features.begin(), features.end(),
-                                      [&](const Feature& f) { return f.octave == octave; });
-    ASSERT_NE(feature, features.end());
-    const KeyframeId keyframe = AddKeyframe();
-    const MapPoint& point =
-        map_.AddPoint({0.0, 0.0, 2.0}, keyframe, static_cast<int>(feature - features.begin()));
-    // From `scale` times as far it would be found on level 0.
-    EXPECT_NEAR(point.max_distance_m, 2.0 * scales[octave], 1e-12);
-    EXPECT_NEAR(point.min_distance_m, point.max_distance_m / scales.back(), 1e-12);
-  }
-}
-
-TEST_F(MapPointTest, ItsDirectionIsTheMeanOfThoseToItsCameras) {
-  const KeyframeId in_front = AddKeyframe(), beside = AddKeyframe(At(2.0, 0.0, 2.0));
-  const PointId id = map_.AddPoint({0.0, 0.0, 2.0}, in_front, 0).id;
-  EXPECT_TRUE(map_.FindPoint(id)->view_direction.isApprox(-Eigen::Vector3d::UnitZ()));
-  map_.AddObservation(id, beside, 0);
-  map_.UpdatePointGeometry(id);
-  EXPECT_TRUE(
-      map_.FindPoint(id)->view_direction.isApprox(Eigen::Vector3d(1.0, 0.0, -1.0).normalized()));
-}
-
-TEST_F(MapPointTest, ItsDescriptorIsTheMedian) {
-  const std::vector<KeyframeId> keyframes{AddKeyframe(), AddKeyframe(), AddKeyframe()};
-  const PointId id = map_.AddPoint({0.0, 0.0, 2.0}, keyframes[0], 5).id;
-  map_.AddObservation(id, keyframes[1], 3);
-  map_.AddObservation(id, keyframes[2], 3);
-  map_.UpdatePointAppearance(id);
-  EXPECT_EQ(map_.FindPoint(id)->descriptor, FrameA()->descriptor(3));  // two against one
-}
-
-TEST_F(MapPointTest, AKeyframeSeesAPointOnce) {
-  const KeyframeId keyframe = AddKeyframe();
-  const PointId id = map_.AddPoint({0.0, 0.0, 2.0}, keyframe, 0).id;
-  map_.AddObservation(id, keyframe, 1);
-  EXPECT_EQ(map_.FindPoint(id)->observations.size(), 1u);
-  EXPECT_EQ(map_.FindKeyframe(keyframe)->points[1], kNoPoint);
-}
-
-TEST_F(MapPointTest, GoesWithItsLastButOneObservation) {
-  const KeyframeId a = AddKeyframe(), b = AddKeyframe(), c = AddKeyframe();
-  const PointId id = AddSharedPoint({a, b, c}, 4);
-  map_.RemoveObservation(id, a);
-  ASSERT_NE(map_.FindPoint(id), nullptr);
-  EXPECT_EQ(map_.FindPoint(id)->reference, b);  // no longer the keyframe that made it
-  map_.RemoveObservation(id, c);
-  EXPECT_EQ(map_.FindPoint(id), nullptr);
-  for (const KeyframeId keyframe : {a, b, c}) {
-    EXPECT_EQ(map_.FindKeyframe(keyframe)->points[4], kNoPoint);
-  }
-  EXPECT_EQ(map_.point_count(), 0u);
-  map_.RemoveObservation(id, b);  // of a point that is gone: nothing happens
-}
-
-TEST_F(MapPointTest, MergingJoinsTheObservations) {
-  const KeyframeId a = AddKeyframe(), b = AddKeyframe(), both = AddKeyframe();
-  const PointId from = AddSharedPoint({a, both}, 1), to = AddSharedPoint({b, both}, 2);
-  map_.FindPoint(from)->visible = 10;
-  map_.FindPoint(from)->found = 5;
-  map_.MergePoints(from, to);
-  EXPECT_EQ(map_.FindPoint(from), nullptr);
-  const MapPoint& merged = *map_.FindPoint(to);
-  ASSERT_EQ(merged.observations.size(), 3u);
-  EXPECT_EQ(map_.FindKeyframe(a)->points[1], to);
-  EXPECT_EQ(map_.FindKeyframe(b)->points[2], to);
-  EXPECT_EQ(map_.FindKeyframe(both)->points[2], to);  // `to`'s own feature stays
-  EXPECT_EQ(map_.FindKeyframe(both)->points[1], kNoPoint);
-  EXPECT_EQ(merged.visible, 11);
-  EXPECT_EQ(merged.found, 6);
-  EXPECT_EQ(map_.point_count(), 1u);
-}
-
-TEST_F(MapPointTest, ResolveFollowsMergesToTheEnd) {
-  const KeyframeId a = AddKeyframe(), b = AddKeyframe();
-  std::vector<PointId> ids;
-  for (int i = 0; i < 3; ++i) ids.push_back(AddSharedPoint({a, b}, i));
-  map_.MergePoints(ids[0], ids[1]);
-  map_.MergePoints(ids[1], ids[2]);
-  for (const PointId id : ids) EXPECT_EQ(map_.Resolve(id), ids[2]);
-  map_.ErasePoint(ids[2]);
-  for (const PointId id : ids) EXPECT_EQ(map_.Resolve(id), kNoPoint);
-  EXPECT_EQ(map_.Resolve(kNoPoint), kNoPoint);
-  EXPECT_EQ(map_.Resolve(12345), kNoPoint);
-}
-
-TEST_F(MapPointTest, MergingAPointWithItselfIsNothing) {
-  const PointId id = AddSharedPoint({AddKeyframe(), AddKeyframe()}, 0);
-  map_.MergePoints(id, id);
-  EXPECT_EQ(map_.Resolve(id), id);
-  EXPECT_EQ(map_.FindPoint(id)->observations.size(), 2u);
-}
 
 TEST_F(MapTest, CovisibilityCountsSharedPointsBothWays) {
   const KeyframeId a = AddKeyframe(), b = AddKeyframe(), c = AddKeyframe();
@@ -240,6 +92,17 @@ TEST_F(MapTest, ACulledKeyframeTakesItsObservationsAlong) {
   EXPECT_EQ(map_.FindKeyframe(a)->covisible, (std::map<KeyframeId, int>{{c, 1}}));
 }
 
+TEST_F(MapTest, LoopsGoWithTheirKeyframes) {
+  const KeyframeId a = AddKeyframe(), b = AddKeyframe(), c = AddKeyframe();
+  AddSharedPoint({a, b, c}, 0);
+  for (const KeyframeId keyframe : {a, b, c}) map_.UpdateCovisibility(keyframe);
+  map_.AddLoopEdge({a, b, Rigid3d::Identity()});
+  map_.AddLoopEdge({a, c, Rigid3d::Identity()});
+  map_.CullKeyframe(b);
+  ASSERT_EQ(map_.loop_edges().size(), 1u);
+  EXPECT_EQ(map_.loop_edges()[0].b, c);
+}
+
 TEST_F(MapTest, ClearingStartsANewMapWithNewIds) {
   const KeyframeId keyframe = AddKeyframe();
   map_.UpdateCovisibility(keyframe);
@@ -302,7 +165,7 @@ class RandomMapEdits {
 
   // A point that lives, or kNoPoint.
   PointId AnyPoint() {
-    return last_point_ < 0 ? kNoPoint : map_.Resolve(Below(static_cast<int>(last_point_) + 1));
+    return made_.empty() ? kNoPoint : map_.Resolve(made_[Below(static_cast<int>(made_.size()))]);
   }
 
   void AddKeyframe() {
@@ -325,8 +188,10 @@ class RandomMapEdits {
     const int feature = Below(100);
     if (keyframe == nullptr || keyframe->points[feature] != kNoPoint) return;
     const PointId id = map_.AddPoint({0.1 * feature, 0.0, 3.0}, keyframe->id, feature).id;
-    EXPECT_GT(id, last_point_) << "an id was used again";
-    last_point_ = id;
+    if (!made_.empty()) {
+      EXPECT_GT(id, made_.back()) << "an id was used again";
+    }
+    made_.push_back(id);
   }
 
   void AddObservation() {
@@ -363,7 +228,7 @@ class RandomMapEdits {
   std::mt19937 random_;
   Map map_{SmallExtractor().scales()};
   KeyframeId last_keyframe_ = kNoKeyframe;
-  PointId last_point_ = kNoPoint;
+  std::vector<PointId> made_;  // all points, also those that are gone
 };
 
 void ExpectObservationsMirrored(const Map& map) {
@@ -436,92 +301,6 @@ TEST(MapInvariantsTest, HoldAfterAnySequenceOfEdits) {
     EXPECT_GT(edits.last_keyframe(), 20);
     EXPECT_GT(edits.map().point_count(), 20u);
   }
-}
-
-// Two maps: one dormant, of keyframes 0 and 1, and the present one, of 2 and 3.
-class TwoMapsTest : public MapTest {
- protected:
-  TwoMapsTest() {
-    AddPair();
-    map_.BeginNew(1000);
-    AddPair();
-  }
-
-  void AddPair() {
-    const KeyframeId a = AddKeyframe(), b = AddKeyframe(At(1.0, 0.0, 0.0));
-    points_.push_back(AddSharedPoint({a, b}, 0));
-    map_.UpdateCovisibility(a);
-    map_.UpdateCovisibility(b);
-  }
-
-  std::vector<PointId> points_;
-};
-
-TEST_F(TwoMapsTest, ThePresentOneIsShownAndTheDormantOneKept) {
-  EXPECT_EQ(map_.map_id(), 1);
-  EXPECT_EQ(map_.dormant_keyframes(), 2u);
-  const KeyframeGraph graph = map_.Graph();
-  EXPECT_EQ(graph.map_id, 1);
-  EXPECT_EQ(graph.reason, RevisionReason::kLost);
-  ASSERT_EQ(graph.keyframes.size(), 2u);
-  EXPECT_EQ(graph.keyframes[0].id, 2);
-  EXPECT_EQ(graph.keyframes[0].parent_id, kNoKeyframe);  // it has nothing to do with keyframe 1
-  EXPECT_EQ(graph.keyframes[1].parent_id, 2);
-  EXPECT_EQ(map_.ColouredPoints().size(), 1u);
-  EXPECT_NE(map_.FindPoint(points_[0]), nullptr);
-  EXPECT_FALSE(map_.IsPresent(*map_.FindKeyframe(1)));
-}
-
-TEST_F(TwoMapsTest, JoinedTheyAreOneMapInTheDormantOnesFrame) {
-  const Rigid3d T = At(0.0, 5.0, 0.0) * Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ());
-  map_.JoinTo(1, T);
-  EXPECT_EQ(map_.dormant_keyframes(), 0u);
-  const KeyframeGraph graph = map_.Graph();
-  EXPECT_EQ(graph.map_id, 1);
-  EXPECT_EQ(graph.reason, RevisionReason::kMerge);
-  ASSERT_TRUE(graph.merge);
-  EXPECT_EQ(graph.merge->old_map_id, 0);
-  EXPECT_EQ(graph.merge->new_map_id, 1);
-  EXPECT_TRUE(graph.merge->T_new_old.isApprox(Rigid3d::Identity()));
-  ASSERT_EQ(graph.keyframes.size(), 4u);
-  EXPECT_TRUE(graph.keyframes[1].T_map_keyframe.isApprox(At(1.0, 0.0, 0.0)));
-  EXPECT_EQ(graph.keyframes[2].parent_id, 1);
-  EXPECT_TRUE(graph.keyframes[2].T_map_keyframe.isApprox(T));
-  EXPECT_TRUE(graph.keyframes[3].T_map_keyframe.isApprox(T * At(1.0, 0.0, 0.0)));
-  EXPECT_TRUE(map_.FindPoint(points_[1])->position.isApprox(T * Eigen::Vector3d(0.0, 0.0, 2.0)));
-  EXPECT_TRUE(map_.FindPoint(points_[0])->position.isApprox(Eigen::Vector3d(0.0, 0.0, 2.0)));
-  EXPECT_EQ(map_.ColouredPoints().size(), 2u);
-  map_.BumpRevision(RevisionReason::kLocalBa);
-  EXPECT_FALSE(map_.Graph().merge);
-}
-
-TEST_F(TwoMapsTest, AThirdMapMayBeJoinedToAnOlderOneThanTheSecond) {
-  map_.BeginNew(1000);
-  AddPair();
-  map_.JoinTo(3, Rigid3d::Identity());
-  map_.JoinTo(0, At(0.0, 1.0, 0.0));
-  const KeyframeGraph graph = map_.Graph();
-  EXPECT_EQ(graph.map_id, 2);
-  ASSERT_EQ(graph.keyframes.size(), 6u);
-  EXPECT_EQ(graph.keyframes[2].parent_id, 0);
-  EXPECT_EQ(graph.keyframes[4].parent_id, 3);
-}
-
-TEST_F(TwoMapsTest, TheOldestAreForgottenWhereThereAreTooMany) {
-  map_.BeginNew(2);
-  EXPECT_EQ(map_.dormant_keyframes(), 2u);
-  EXPECT_EQ(map_.FindKeyframe(0), nullptr);
-  EXPECT_EQ(map_.FindPoint(points_[0]), nullptr);
-  EXPECT_NE(map_.FindKeyframe(2), nullptr);
-  map_.BeginNew(0);
-  EXPECT_TRUE(map_.keyframes().empty());
-  EXPECT_EQ(map_.point_count(), 0u);
-}
-
-TEST_F(TwoMapsTest, ClearingForgetsAll) {
-  map_.Clear();
-  EXPECT_EQ(map_.map_id(), 2);
-  EXPECT_TRUE(map_.keyframes().empty());
 }
 
 }  // namespace

@@ -11,9 +11,6 @@
 namespace semantic_slam {
 namespace {
 
-// A point is on probation until this many keyframes have followed the one that made it.
-constexpr int kProbationKeyframes = 3;
-constexpr int kProbationMinObservations = 2;
 constexpr float kFusionRadiusPx = 3.0f;
 
 }  // namespace
@@ -28,7 +25,6 @@ LocalMapper::LocalMapper(const LocalMapperOptions& options,
 }
 
 void LocalMapper::Reset(std::shared_ptr<const CameraModel> camera) {
-  recent_points_.clear();
   camera_ = std::move(camera);
 }
 
@@ -38,7 +34,7 @@ void LocalMapper::Process(KeyframeId keyframe, StageTimer& timer) {
     StageTimer::Scope scope(timer, "local_mapping.fuse");
     std::lock_guard<std::mutex> lock(map_.mutex());
     if (map_.FindKeyframe(keyframe) == nullptr) return;
-    CullRecentPoints(keyframe);
+    CullYoungPoints(keyframe);
     FuseWithNeighbours(keyframe);
     window = SelectWindow(keyframe);
   }
@@ -56,32 +52,38 @@ void LocalMapper::Process(KeyframeId keyframe, StageTimer& timer) {
     std::lock_guard<std::mutex> lock(map_.mutex());
     if (map_.FindKeyframe(keyframe) == nullptr) return;  // the map was cleared meanwhile
     Apply(window, summary);
+    for (const PointId point : window.points) CullPoint(point, keyframe);
     CullKeyframes(keyframe);
     map_.BumpRevision(RevisionReason::kLocalBa);
   }
 }
 
-// Mur-Artal et al., ORB-SLAM, 2015, section VI.B.
-void LocalMapper::CullRecentPoints(KeyframeId keyframe_id) {
-  for (const PointId id : map_.FindKeyframe(keyframe_id)->points) {
-    const MapPoint* point = map_.FindPoint(id);
-    if (point != nullptr && point->observations.front().keyframe == keyframe_id) {
-      recent_points_.emplace_back(id, keyframe_id);
+// Those that were made not long ago: local adjustment need not see them again.
+void LocalMapper::CullYoungPoints(KeyframeId newest) {
+  const auto end = map_.keyframes().upper_bound(newest);
+  for (auto it = map_.keyframes().lower_bound(newest - options_.probation_keyframes); it != end;
+       ++it) {
+    for (const PointId id : PointsOf(*it->second)) {
+      const MapPoint* point = map_.FindPoint(id);
+      if (point != nullptr && point->reference == it->first) CullPoint(id, newest);
     }
   }
-  std::deque<std::pair<PointId, KeyframeId>> still_young;
-  for (const auto& [id, born] : recent_points_) {
-    const MapPoint* point = map_.FindPoint(id);
-    if (point == nullptr) continue;
-    const bool grown_up = keyframe_id - born >= kProbationKeyframes;
-    if (point->found < options_.min_found_ratio * point->visible ||
-        (grown_up && point->observations.size() < kProbationMinObservations)) {
-      map_.ErasePoint(id);
-    } else if (!grown_up) {
-      still_young.emplace_back(id, born);
-    }
-  }
-  recent_points_ = std::move(still_young);
+}
+
+// Mur-Artal et al., ORB-SLAM, 2015, section VI.B: on probation a point must be found where it
+// should be seen; after that, at any time, in at least three keyframes. The count is what keeps the
+// share of well-seen points, by which keyframes are culled, from sinking below what it is worth.
+void LocalMapper::CullPoint(PointId id, KeyframeId newest) {
+  const MapPoint* point = map_.FindPoint(id);
+  if (point == nullptr) return;
+  // Its first observation may be of an older keyframe, where fusion has found it.
+  const KeyframeId age = newest - point->reference;
+  const bool is_seldom_found = point->found < options_.min_found_ratio * point->visible;
+  const bool is_seen_by_few =
+      static_cast<int>(point->observations.size()) < options_.min_point_keyframes;
+  const bool is_mistake = (age <= options_.probation_keyframes && is_seldom_found) ||
+                          (age >= options_.probation_keyframes && is_seen_by_few);
+  if (is_mistake) map_.ErasePoint(id);
 }
 
 void LocalMapper::FuseWithNeighbours(KeyframeId keyframe_id) {

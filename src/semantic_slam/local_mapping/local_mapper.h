@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <vector>
 
@@ -19,8 +18,10 @@ struct LocalMapperOptions {
   int fixed_keyframes = 25;           // that hold it in place
   int robust_iterations = 5;
   int final_iterations = 5;
-  int fusion_neighbours = 10;      // keyframes whose points are merged with the new one's
-  double min_found_ratio = 0.25;   // points matched less often than this are mistakes
+  int fusion_neighbours = 10;   // keyframes whose points are merged with the new one's
+  int probation_keyframes = 8;  // after the one that made a point, until it must have proved right
+  double min_found_ratio = 0.25;   // points on probation matched less often than this are mistakes
+  int min_point_keyframes = 3;     // that see a point after its probation; else it goes
   double redundant_share = 0.9;    // a keyframe goes when this share of its points is seen well
   int redundant_observations = 3;  // by at least that many others
 
@@ -32,7 +33,9 @@ struct LocalMapperOptions {
     visit("robust_iterations", self.robust_iterations, 0, 100);
     visit("final_iterations", self.final_iterations, 0, 100);
     visit("fusion_neighbours", self.fusion_neighbours, 0, 100);
+    visit("probation_keyframes", self.probation_keyframes, 1, 1000);
     visit("min_found_ratio", self.min_found_ratio, 0.0, 1.0);
+    visit("min_point_keyframes", self.min_point_keyframes, 2, 100);
     visit("redundant_share", self.redundant_share, 0.1, 1.0);
     visit("redundant_observations", self.redundant_observations, 1, 100);
   }
@@ -51,8 +54,7 @@ class LocalMapper {
   // keyframe is gone. `timer` gets the stages' durations.
   void Process(KeyframeId keyframe, StageTimer& timer);
 
-  // Forgets what it remembers of the map: to be called with Map::Clear(). Keyframes to come are of
-  // `camera`.
+  // Keyframes to come are of `camera`.
   void Reset(std::shared_ptr<const CameraModel> camera);
 
  private:
@@ -62,7 +64,8 @@ class LocalMapper {
     std::vector<PointId> points;        // parallel to problem.points
   };
 
-  void CullRecentPoints(KeyframeId keyframe);
+  void CullYoungPoints(KeyframeId newest);
+  void CullPoint(PointId id, KeyframeId newest);
   void FuseWithNeighbours(KeyframeId keyframe);
   Window SelectWindow(KeyframeId keyframe) const;
   void Apply(const Window& window, const BundleSummary& summary);
@@ -73,8 +76,6 @@ class LocalMapper {
   const ObservationNoise noise_;
   std::shared_ptr<const CameraModel> camera_;
   Map& map_;
-  // Points too young to be trusted, with the keyframe that made them.
-  std::deque<std::pair<PointId, KeyframeId>> recent_points_;
 };
 
 }  // namespace semantic_slam

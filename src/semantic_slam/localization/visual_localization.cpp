@@ -1,26 +1,15 @@
 #include "semantic_slam/localization/visual_localization.h"
 
 #include <atomic>
-#include <condition_variable>
 #include <mutex>
 #include <utility>
 
 #include "semantic_slam/common/error.h"
-#include "semantic_slam/common/worker.h"
+#include "semantic_slam/localization/mapping_pipeline.h"
 #include "semantic_slam/map/map.h"
 #include "semantic_slam/map/map_file.h"
 
 namespace semantic_slam {
-namespace {
-
-// One keyframe in work and one waiting: with more the map would lag behind the camera.
-constexpr std::size_t kMaxPendingKeyframes = 2;
-// Mapping waits when loop closing lags behind by more.
-constexpr std::size_t kMaxKeyframesToClose = 64;
-
-struct Adjustment {};  // of the whole map is due
-
-}  // namespace
 
 class VisualLocalization::Implementation {
  public:
@@ -29,19 +18,9 @@ class VisualLocalization::Implementation {
       : camera_(std::move(camera)),
         extractor_(options.features),
         map_(extractor_.scales()),
-        mapper_(options.local_mapping, camera_, map_),
         index_(options.place_recognition),
-        closer_(options.loop_closer, camera_, map_, index_, poses_mutex_),
-        tracker_(options.tracking, options.readout, camera_, map_, index_) {
-    if (mode == MappingMode::kThreaded) {
-      adjusting_ = std::make_unique<Worker<Adjustment>>(1, WhenFull::kReject,
-                                                        [this](Adjustment) { AdjustAll(); });
-      closing_ = std::make_unique<Worker<KeyframeId>>(kMaxKeyframesToClose, WhenFull::kBlock,
-                                                      [this](KeyframeId id) { CloseLoop(id); });
-      mapping_ = std::make_unique<Worker<KeyframeId>>(
-          kMaxPendingKeyframes, WhenFull::kBlock, [this](KeyframeId id) { MapKeyframe(id); });
-    }
-  }
+        pipeline_(options.local_mapping, options.loop_closer, camera_, map_, index_, timer_, mode),
+        tracker_(options.tracking, options.readout, camera_, map_, index_) {}
 
   void SetStart(const Rigid3d& T_map_camera) {
     std::lock_guard<std::mutex> lock(tracking_mutex_);
@@ -64,11 +43,11 @@ class VisualLocalization::Implementation {
     TrackerResult result;
     {
       StageTimer::Scope scope(timer_, "tracking.pose");
-      result = tracker_.Track(features, MappingHasRoom());
+      result = tracker_.Track(features, pipeline_.HasRoom());
     }
     rejected_keyframes_ += result.keyframe_rejected;
     KeepForView(std::move(features), std::move(result.is_inlier));
-    if (result.new_keyframe) Hand(*result.new_keyframe);
+    if (result.new_keyframe) pipeline_.Add(*result.new_keyframe);
     return result.image;
   }
 
@@ -115,15 +94,11 @@ class VisualLocalization::Implementation {
       std::lock_guard<std::mutex> map_lock(map_.mutex());
       map_.Load(stored.contents);
     }
-    mapper_.Reset(camera_);
-    closer_.KnowMap();
+    pipeline_.KnowMap(camera_);
     tracker_.StartLost();
   }
 
-  void Finish() {
-    std::unique_lock<std::mutex> lock(pending_mutex_);
-    idle_.wait(lock, [this] { return unfinished_ == 0; });
-  }
+  void Finish() { pipeline_.Finish(); }
 
   std::uint64_t revision() const {
     std::lock_guard<std::mutex> lock(map_.mutex());
@@ -150,13 +125,13 @@ class VisualLocalization::Implementation {
     return views;
   }
 
-  std::size_t closed_loops() const { return closer_.loops(); }
+  std::size_t closed_loops() const { return pipeline_.loops(); }
   std::size_t rejected_keyframes() const { return rejected_keyframes_; }
   std::vector<StageTiming> timings() const { return timer_.Timings(); }
 
  private:
-  // Begins an empty map of camera_'s images. The caller holds tracking_mutex_, so local mapping gets
-  // no work; when it has finished, it may be changed too.
+  // Begins an empty map of camera_'s images. The caller holds tracking_mutex_, so the pipeline
+  // gets no work; when it has finished, it may be changed too.
   void Begin() {
     Finish();
     {
@@ -164,79 +139,13 @@ class VisualLocalization::Implementation {
       map_.Clear();
     }
     tracker_.Reset(camera_);
-    mapper_.Reset(camera_);
-    closer_.Reset(camera_);
+    pipeline_.Reset(camera_);
     last_stamp_.reset();
   }
 
   bool HasMap() const {
     std::lock_guard<std::mutex> lock(map_.mutex());
     return !map_.keyframes().empty();
-  }
-
-  bool MappingHasRoom() const {
-    std::lock_guard<std::mutex> lock(pending_mutex_);
-    return pending_ < kMaxPendingKeyframes;
-  }
-
-  void Hand(KeyframeId id) {
-    {
-      std::lock_guard<std::mutex> lock(pending_mutex_);
-      ++pending_;
-      ++unfinished_;
-    }
-    // Never blocks: MappingHasRoom() was asked before.
-    if (mapping_ != nullptr) {
-      mapping_->Push(id);
-    } else {
-      MapKeyframe(id);
-    }
-  }
-
-  void MapKeyframe(KeyframeId id) {
-    {
-      StageTimer::Scope scope(timer_, "local_mapping");
-      std::lock_guard<std::mutex> lock(poses_mutex_);
-      mapper_.Process(id, timer_);
-    }
-    {
-      std::lock_guard<std::mutex> lock(pending_mutex_);
-      --pending_;
-    }
-    if (closing_ != nullptr) {
-      closing_->Push(id);
-    } else {
-      CloseLoop(id);
-    }
-  }
-
-  void CloseLoop(KeyframeId id) {
-    if (closer_.Process(id, timer_)) WantAdjustment();
-    FinishOne();
-  }
-
-  // One adjustment may wait while another runs; a third would only repeat what the second does.
-  void WantAdjustment() {
-    {
-      std::lock_guard<std::mutex> lock(pending_mutex_);
-      ++unfinished_;
-    }
-    if (adjusting_ == nullptr) {
-      AdjustAll();
-    } else if (!adjusting_->Push({})) {
-      FinishOne();
-    }
-  }
-
-  void AdjustAll() {
-    closer_.AdjustAll(timer_);
-    FinishOne();
-  }
-
-  void FinishOne() {
-    std::lock_guard<std::mutex> lock(pending_mutex_);
-    --unfinished_;
-    idle_.notify_all();
   }
 
   void KeepForView(std::shared_ptr<const FrameFeatures> features, std::vector<bool> is_inlier) {
@@ -249,29 +158,17 @@ class VisualLocalization::Implementation {
   const OrbExtractor extractor_;
   StageTimer timer_;
   Map map_;
-  std::mutex poses_mutex_;  // held by who changes poses of keyframes, for long; before the map's
-  LocalMapper mapper_;
   PlaceIndex index_;
-  LoopCloser closer_;
+  MappingPipeline pipeline_;
   std::atomic<std::size_t> rejected_keyframes_{0};
 
   std::mutex tracking_mutex_;        // taken before all others
   Tracker tracker_;                  // guarded by tracking_mutex_
   std::optional<Stamp> last_stamp_;  // guarded by tracking_mutex_
 
-  mutable std::mutex pending_mutex_;
-  std::condition_variable idle_;
-  std::size_t pending_ = 0;     // guarded by pending_mutex_; keyframes that mapping has not finished
-  std::size_t unfinished_ = 0;  // guarded by pending_mutex_; these, and what follows of them
-
   mutable std::mutex view_mutex_;
   std::shared_ptr<const FrameFeatures> viewed_;  // guarded by view_mutex_
   std::vector<bool> is_inlier_;                  // guarded by view_mutex_
-
-  // Last, each after the one it feeds: joined before anything they use goes. Empty: done inline.
-  std::unique_ptr<Worker<Adjustment>> adjusting_;
-  std::unique_ptr<Worker<KeyframeId>> closing_;
-  std::unique_ptr<Worker<KeyframeId>> mapping_;
 };
 
 VisualLocalization::VisualLocalization(const LocalizationOptions& options,

@@ -13,6 +13,7 @@
 #include "semantic_slam/common/keyframe_graph.h"
 #include "semantic_slam/features/orb_extractor.h"
 #include "semantic_slam/local_mapping/local_mapper.h"
+#include "semantic_slam/localization/mapping_pipeline.h"
 #include "semantic_slam/loop_closing/loop_closer.h"
 #include "semantic_slam/map/map.h"
 #include "semantic_slam/place_recognition/place_index.h"
@@ -39,11 +40,6 @@ struct LocalizationOptions {
     visit_group("place_recognition", self.place_recognition);
     LoopCloserOptions::VisitGroups(self.loop_closer, visit_group);
   }
-};
-
-enum class MappingMode {
-  kInline,    // Track() returns after mapping and loop closing have finished: the same bytes always
-  kThreaded,  // they run beside tracking, on threads of their own
 };
 
 // One feature of the image tracked last, for people to look at.

@@ -2,18 +2,13 @@
 
 #include <map>
 #include <mutex>
-#include <set>
 #include <utility>
 
 #include "semantic_slam/loop_closing/guided_matching.h"
 #include "semantic_slam/loop_closing/map_motion.h"
+#include "semantic_slam/loop_closing/place_points.h"
 
 namespace semantic_slam {
-namespace {
-
-constexpr int kPlaceKeyframes = 10;  // around the place, whose points are joined
-
-}  // namespace
 
 LoopCorrector::LoopCorrector(const LoopCorrectorOptions& options, Map& map)
     : options_(Validated(options)), noise_{options.depth_sigma_at_1m_m}, map_(map) {}
@@ -33,7 +28,7 @@ bool LoopCorrector::Correct(const Loop& loop, const CameraModel& camera) {
       reason = RevisionReason::kMerge;
     }
     window = SelectWindow(loop);
-    place_points = PointsAround(loop.place);
+    place_points = PointsAround(loop.place, map_);
     essential = BuildEssentialGraph();
   }
   Join(place_points, camera, window);
@@ -63,21 +58,6 @@ std::vector<LoopCorrector::Member> LoopCorrector::SelectWindow(const Loop& loop)
     window.push_back({id, neighbour.features, correction * neighbour.T_map_camera, {}});
   }
   return window;
-}
-
-std::vector<MapPoint> LoopCorrector::PointsAround(KeyframeId place) const {
-  std::vector<KeyframeId> around = map_.BestCovisible(place, kPlaceKeyframes);
-  around.push_back(place);
-  std::set<PointId> ids;
-  for (const KeyframeId id : around) {
-    const auto& seen = map_.FindKeyframe(id)->points;
-    ids.insert(seen.begin(), seen.end());
-  }
-  std::vector<MapPoint> points;
-  for (const PointId id : ids) {
-    if (const MapPoint* point = map_.FindPoint(id)) points.push_back(*point);
-  }
-  return points;
 }
 
 // Finds the place's points in the window's keyframes; who finds too few is no longer in it.

@@ -65,7 +65,6 @@ class LoopCorrector {
   };
 
   std::vector<Member> SelectWindow(const Loop& loop) const;
-  std::vector<MapPoint> PointsAround(KeyframeId place) const;
   void Join(const std::vector<MapPoint>& place_points, const CameraModel& camera,
             std::vector<Member>& window) const;
   Essential BuildEssentialGraph() const;

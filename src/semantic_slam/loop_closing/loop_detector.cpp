@@ -5,12 +5,12 @@
 #include <set>
 
 #include "semantic_slam/loop_closing/guided_matching.h"
+#include "semantic_slam/loop_closing/place_points.h"
 #include "semantic_slam/tracking/relocalizer.h"
 
 namespace semantic_slam {
 namespace {
 
-constexpr int kPlaceKeyframes = 10;    // around the place, whose points are looked for
 constexpr int kNeighboursToAsk = 5;    // of the keyframe, to confirm
 constexpr int kConnectingPoints = 15;  // shared with a keyframe that counts as a neighbour
 
@@ -25,11 +25,6 @@ struct LoopDetector::View {
   KeyframeId id;
   std::shared_ptr<const FrameFeatures> features;
   std::vector<Neighbour> neighbours;
-};
-
-// The points around a place.
-struct LoopDetector::Surroundings {
-  std::vector<MapPoint> points;
 };
 
 LoopDetector::LoopDetector(const LoopDetectorOptions& options, const PlaceIndex& index,
@@ -91,31 +86,22 @@ std::optional<Loop> LoopDetector::Verify(const View& view, KeyframeId place_id,
                                          const CameraModel& camera) const {
   KnownView known;
   std::shared_ptr<const FrameFeatures> place_features;
-  Surroundings surroundings;
+  std::vector<MapPoint> place_points;
   {
     std::lock_guard<std::mutex> lock(map_.mutex());
     const Keyframe* place = map_.FindKeyframe(place_id);
     if (place == nullptr) return std::nullopt;
     known = ViewOf(*place, map_);
     place_features = place->features;  // which `known` points into
-    std::vector<KeyframeId> around = map_.BestCovisible(place_id, kPlaceKeyframes);
-    around.push_back(place_id);
-    std::set<PointId> points;
-    for (const KeyframeId id : around) {
-      const auto& seen = map_.FindKeyframe(id)->points;
-      points.insert(seen.begin(), seen.end());
-    }
-    for (const PointId id : points) {
-      if (const MapPoint* point = map_.FindPoint(id)) surroundings.points.push_back(*point);
-    }
+    place_points = PointsAround(place_id, map_);
   }
   const auto found =
       Relocalize(*view.features, known, map_.scales(), camera, noise_, options_.min_ransac_inliers);
   if (!found) return std::nullopt;
-  Relocalization refined = MatchAround(surroundings.points, *view.features, found->T_map_camera,
-                                       map_.scales(), camera, noise_);
+  Relocalization refined =
+      MatchAround(place_points, *view.features, found->T_map_camera, map_.scales(), camera, noise_);
   if (refined.inliers < options_.min_inliers ||
-      !IsConfirmed(view, refined.T_map_camera, surroundings, camera)) {
+      !IsConfirmed(view, refined.T_map_camera, place_points, camera)) {
     return std::nullopt;
   }
   return Loop{view.id, place_id, refined.T_map_camera, std::move(refined.points)};
@@ -124,11 +110,12 @@ std::optional<Loop> LoopDetector::Verify(const View& view, KeyframeId place_id,
 // Whether enough neighbours of the keyframe see the place too, if they are where the loop puts
 // them.
 bool LoopDetector::IsConfirmed(const View& view, const Rigid3d& T_map_keyframe,
-                               const Surroundings& place, const CameraModel& camera) const {
+                               const std::vector<MapPoint>& place_points,
+                               const CameraModel& camera) const {
   int confirmed = 0;
   for (const View::Neighbour& neighbour : view.neighbours) {
     const Relocalization found =
-        MatchAround(place.points, *neighbour.features,
+        MatchAround(place_points, *neighbour.features,
                     T_map_keyframe * neighbour.T_keyframe_neighbour, map_.scales(), camera, noise_);
     confirmed += found.inliers >= options_.min_confirming_inliers;
   }

@@ -57,12 +57,11 @@ class LoopDetector {
 
  private:
   struct View;
-  struct Surroundings;
 
   std::vector<KeyframeId> Candidates(KeyframeId keyframe, const FrameFeatures& features) const;
   std::optional<Loop> Verify(const View& view, KeyframeId place, const CameraModel& camera) const;
-  bool IsConfirmed(const View& view, const Rigid3d& T_map_keyframe, const Surroundings& place,
-                   const CameraModel& camera) const;
+  bool IsConfirmed(const View& view, const Rigid3d& T_map_keyframe,
+                   const std::vector<MapPoint>& place_points, const CameraModel& camera) const;
 
   const LoopDetectorOptions options_;
   const ObservationNoise noise_;

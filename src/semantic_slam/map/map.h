@@ -14,35 +14,10 @@
 #include "semantic_slam/common/keyframe_graph.h"
 #include "semantic_slam/common/transform.h"
 #include "semantic_slam/features/frame_features.h"
+#include "semantic_slam/map/map_point.h"
+#include "semantic_slam/map/point_store.h"
 
 namespace semantic_slam {
-
-using PointId = std::int64_t;
-constexpr PointId kNoPoint = -1;
-
-// Where a map point was seen.
-struct Observation {
-  KeyframeId keyframe;
-  int feature;  // index into the keyframe's features
-};
-
-// One landmark. Positions and directions are in the map frame.
-struct MapPoint {
-  PointId id = kNoPoint;
-  int map_id = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();        // [m]
-  Eigen::Vector3d view_direction = Eigen::Vector3d::Zero();  // unit; mean, from point to cameras
-  // Distances at which its patch fits the pyramid's levels [m].
-  double min_distance_m = 0.0;
-  double max_distance_m = 0.0;
-  Descriptor descriptor{};
-  std::array<std::uint8_t, 3> rgb{};
-  KeyframeId reference = kNoKeyframe;     // the keyframe that gives its scale
-  std::vector<Observation> observations;  // by ascending keyframe
-  // Since its birth: images in which it should have been seen, and in which it was matched.
-  int visible = 1;
-  int found = 1;
-};
 
 // A map point for people to look at.
 struct ColouredPoint {
@@ -83,8 +58,8 @@ struct MapContents;  // map_contents.h
 // present one comes to a place of theirs and is joined to them. What has no map_id speaks of the
 // present map or, where a keyframe or point is named, of whichever that is in.
 //
-// Not thread-safe by itself: hold mutex() around every call when several threads use it. Iteration
-// is always by ascending id, so equal input gives equal maps.
+// Not thread-safe by itself: hold mutex() around every call when several threads use it. Equal
+// calls give equal maps: iteration is by ascending id of keyframes, and over points in one order.
 class Map {
  public:
   // `scales` are the feature pyramid's.
@@ -145,20 +120,16 @@ class Map {
 
   // Of all maps.
   const std::map<KeyframeId, std::unique_ptr<Keyframe>>& keyframes() const { return keyframes_; }
-  std::size_t point_count() const { return point_count_; }
+  std::size_t point_count() const { return points_.size(); }
 
-  // Calls visit(point) for every point of all maps by ascending id; it must not add or erase any.
+  // Calls visit(point) for every point of all maps; it must not add or erase any.
   template <typename Visitor>
   void ForEachPoint(Visitor&& visit) {
-    for (auto& point : points_) {
-      if (point != nullptr) visit(*point);
-    }
+    points_.ForEach(visit);
   }
   template <typename Visitor>
   void ForEachPoint(Visitor&& visit) const {
-    for (const auto& point : points_) {
-      if (point != nullptr) visit(static_cast<const MapPoint&>(*point));
-    }
+    points_.ForEach([&visit](const MapPoint& point) { visit(point); });
   }
   std::vector<ColouredPoint> ColouredPoints() const;
   const std::vector<float>& scales() const { return scales_; }
@@ -186,7 +157,7 @@ class Map {
 
   std::size_t dormant_keyframes() const;
 
-  // In the order in which they were added; those of keyframes that are gone stay listed.
+  // In the order in which they were added; they go with their keyframes.
   const std::vector<LoopEdge>& loop_edges() const { return loop_edges_; }
   void AddLoopEdge(const LoopEdge& edge) { loop_edges_.push_back(edge); }
 
@@ -207,6 +178,7 @@ class Map {
   };
 
   void AdoptChildrenOf(const Keyframe& keyframe);
+  void ForgetLoopEdges();
   void Forget(int map_id);
   void ForgetAll();
   void CountCovisible(Keyframe& keyframe) const;
@@ -216,15 +188,12 @@ class Map {
   std::map<KeyframeId, std::unique_ptr<Keyframe>> keyframes_;
   std::map<KeyframeId, Culled> culled_;
   std::vector<LoopEdge> loop_edges_;
-  // By id - first_point_; empty where the point was erased or merged. 8 bytes each stay behind.
-  std::vector<std::unique_ptr<MapPoint>> points_;
+  PointStore points_;
   // From a merged point to the one that took its place: since the newest keyframe was added, and
   // since the one before it.
   std::map<PointId, PointId> merges_;
   std::map<PointId, PointId> earlier_merges_;
-  PointId first_point_ = 0;
   KeyframeId next_keyframe_ = 0;
-  std::size_t point_count_ = 0;
   int map_id_ = 0;
   std::uint64_t revision_ = 0;
   RevisionReason reason_ = RevisionReason::kLocalBa;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace semantic_slam {
 namespace {
@@ -29,19 +30,18 @@ MapContents Map::Contents() const {
   MapContents contents;
   contents.map_id = map_id_;
   contents.next_keyframe = next_keyframe_;
-  std::vector<PointId> new_id(points_.size(), kNoPoint);  // without the gaps of erased ones
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (points_[i] == nullptr) continue;
-    new_id[i] = static_cast<PointId>(contents.points.size());
-    MapPoint& point = contents.points.emplace_back(*points_[i]);
-    point.id = new_id[i];
+  std::unordered_map<PointId, PointId> new_id;  // in a row
+  ForEachPoint([&](const MapPoint& original) {
+    MapPoint& point = contents.points.emplace_back(original);
+    point.id = static_cast<PointId>(contents.points.size() - 1);
     point.observations.clear();
-  }
+    new_id[original.id] = point.id;
+  });
   for (const auto& [id, original] : keyframes_) {
     Keyframe& keyframe = contents.keyframes.emplace_back(*original);
     keyframe.covisible.clear();
     for (PointId& point : keyframe.points) {
-      if (point != kNoPoint) point = new_id[point - first_point_];
+      if (point != kNoPoint) point = new_id.at(point);
     }
   }
   for (const auto& [id, culled] : culled_) {
@@ -62,13 +62,16 @@ void Map::Load(const MapContents& contents) {
   for (const Keyframe& keyframe : contents.keyframes) new_map_id[keyframe.map_id];
   for (auto& entry : new_map_id) entry.second = ++map_id_;
   const KeyframeId shift = next_keyframe_ - LeastId(contents);
-  for (MapPoint point : contents.points) {
-    point.id += first_point_;
+  std::vector<MapPoint*> points;
+  for (const MapPoint& original : contents.points) {
+    MapPoint& point = points_.Add();
+    const PointId id = point.id;
+    point = original;
+    point.id = id;
     point.map_id = new_map_id.at(point.map_id);
     point.reference = Shifted(point.reference, kNoKeyframe, shift);
-    points_.push_back(std::make_unique<MapPoint>(std::move(point)));
+    points.push_back(&point);
   }
-  point_count_ = points_.size();
   for (Keyframe keyframe : contents.keyframes) {
     keyframe.id += shift;
     keyframe.map_id = new_map_id.at(keyframe.map_id);
@@ -76,8 +79,9 @@ void Map::Load(const MapContents& contents) {
     for (std::size_t i = 0; i < keyframe.points.size(); ++i) {
       if (keyframe.points[i] == kNoPoint) continue;
       const Observation observation{keyframe.id, static_cast<int>(i)};
-      points_[keyframe.points[i]]->observations.push_back(observation);
-      keyframe.points[i] += first_point_;
+      MapPoint& point = *points[keyframe.points[i]];
+      point.observations.push_back(observation);
+      keyframe.points[i] = point.id;
     }
     const KeyframeId id = keyframe.id;
     keyframes_.emplace(id, std::make_unique<Keyframe>(std::move(keyframe)));
