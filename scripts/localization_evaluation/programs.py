@@ -1,7 +1,6 @@
-"""Runs the package's programs: shows what they are at, and counts what they use."""
+"""Runs the package's programs: shows what they are at, and tells how much memory they take."""
 
 import contextlib
-import dataclasses
 import os
 import subprocess
 import sys
@@ -12,14 +11,6 @@ from localization_evaluation.errors import EvaluationError
 
 PERIOD_S = 0.2  # between two looks at a program
 BURN = "import os\nparent = os.getppid()\nwhile os.getppid() == parent:\n    for _ in range(1000000):\n        pass"
-
-
-@dataclasses.dataclass(frozen=True)
-class Usage:
-    """What a program has taken: CPU time of all its threads [s], and its largest resident memory [MB]."""
-
-    cpu_s: float
-    memory_mb: float
 
 
 class Progress:
@@ -41,24 +32,25 @@ class Progress:
 
 
 def wait(process, progress, describe):
-    """Waits for the end; returns the Usage. `describe(seconds)` says how far it is."""
+    """Waits for the end; returns the largest resident memory [MB]. `describe(seconds)` says how far it is."""
     begin = time.monotonic()
     while True:
         pid, status, usage = os.wait4(process.pid, os.WNOHANG)
         if pid:
             process.returncode = os.waitstatus_to_exitcode(status)
-            return Usage(usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024 / 1e6)
+            return usage.ru_maxrss * 1024 / 1e6
         progress.update(describe(time.monotonic() - begin))
         time.sleep(PERIOD_S)
 
 
 def run(program, arguments, title, describe=lambda seconds: f"{seconds:.0f} s"):
-    """Runs a program to its end and returns its Usage. Raises EvaluationError with its last line if it fails."""
+    """Runs a program to its end and returns its largest resident memory [MB]. Raises EvaluationError with its last
+    line if it fails."""
     progress = Progress(title)
     with tempfile.TemporaryFile("w+") as errors:
         process = start([program, *arguments], stdout=subprocess.DEVNULL, stderr=errors)
         try:
-            usage = wait(process, progress, describe)
+            memory_mb = wait(process, progress, describe)
         finally:
             progress.close()
             stop(process)
@@ -66,7 +58,7 @@ def run(program, arguments, title, describe=lambda seconds: f"{seconds:.0f} s"):
             errors.seek(0)
             said = errors.read().strip().splitlines() or [f"{program.name} ended with {process.returncode}"]
             raise EvaluationError(said[-1])
-    return usage
+    return memory_mb
 
 
 def start(command, **options):

@@ -5,7 +5,6 @@
 
 #include "semantic_slam/camera/camera_config.h"
 #include "semantic_slam/common/error.h"
-#include "semantic_slam/dataset/prefetching_source.h"
 #include "semantic_slam/dataset/tum_folder.h"
 #include "semantic_slam_ros/bag_source.h"
 
@@ -14,16 +13,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void OpenFolder(const std::string& folder, const CameraConfig& config, Sequence& sequence) {
-  sequence.source = std::make_unique<TumFolder>(folder, config);
-  const fs::path ground_truth = fs::path(folder) / "groundtruth.txt";
-  if (fs::exists(ground_truth)) sequence.ground_truth = ReadTumTrajectory(ground_truth);
+std::unique_ptr<RgbdSource> OpenFolder(const std::string& folder, const CameraConfig& config,
+                                       Trajectory& ground_truth) {
+  auto source = std::make_unique<TumFolder>(folder, config);
+  const fs::path path = fs::path(folder) / "groundtruth.txt";
+  if (fs::exists(path)) ground_truth = ReadTumTrajectory(path);
+  return source;
 }
 
-void OpenBag(const std::string& path, Sequence& sequence) {
+std::unique_ptr<RgbdSource> OpenBag(const std::string& path, Trajectory& ground_truth) {
   auto bag = std::make_unique<semantic_slam_ros::BagSource>(path);
-  sequence.ground_truth = bag->ground_truth();
-  sequence.source = std::move(bag);
+  ground_truth = bag->ground_truth();
+  return bag;
 }
 
 }  // namespace
@@ -37,13 +38,10 @@ Sequence OpenSequence(const std::string& dataset, const std::string& config_path
   Sequence sequence;
   sequence.camera = config.intrinsics;
   if (!fs::exists(dataset)) throw InputError("no such file or folder: " + dataset);
-  if (fs::is_directory(dataset)) {
-    OpenFolder(dataset, config, sequence);
-  } else {
-    OpenBag(dataset, sequence);
-  }
-  sequence.R_camera_imu = sequence.source->R_camera_imu().value_or(config.R_camera_imu);
-  sequence.source = std::make_unique<PrefetchingSource>(std::move(sequence.source));
+  auto source = fs::is_directory(dataset) ? OpenFolder(dataset, config, sequence.ground_truth)
+                                          : OpenBag(dataset, sequence.ground_truth);
+  sequence.R_camera_imu = source->R_camera_imu().value_or(config.R_camera_imu);
+  sequence.source = std::make_unique<PrefetchingSource>(std::move(source));
   return sequence;
 }
 

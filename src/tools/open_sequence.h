@@ -6,14 +6,14 @@
 
 #include "semantic_slam/camera/camera_model.h"
 #include "semantic_slam/common/yaml_options.h"
-#include "semantic_slam/dataset/rgbd_source.h"
+#include "semantic_slam/dataset/prefetching_source.h"
 #include "semantic_slam/evaluation/trajectory.h"
 
 namespace semantic_slam {
 
 // A recorded sequence with everything that is known about it.
 struct Sequence {
-  std::unique_ptr<RgbdSource> source;  // reads ahead on its own thread
+  std::unique_ptr<PrefetchingSource> source;
   CameraIntrinsics camera;
   Eigen::Matrix3d R_camera_imu = Eigen::Matrix3d::Identity();
   Trajectory ground_truth;  // of the colour optical frame; empty if there is none

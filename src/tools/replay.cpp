@@ -1,6 +1,5 @@
 // Runs the cores on a recorded sequence, without a ROS master.
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -9,18 +8,14 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "semantic_slam/common/check.h"
 #include "semantic_slam/common/error.h"
-#include "semantic_slam/common/worker.h"
-#include "semantic_slam/localization/gravity_alignment.h"
 #include "semantic_slam/localization/run_report.h"
-#include "semantic_slam/localization/trajectory_recorder.h"
 #include "semantic_slam/localization/visual_localization.h"
 #include "tools/command_line.h"
 #include "tools/open_sequence.h"
-#include "tools/progress_bar.h"
+#include "tools/replay_run.h"
 #include "tools/replay_stages.h"
 
 namespace semantic_slam {
@@ -32,7 +27,8 @@ constexpr char kPurpose[] =
     "trajectory.png, timing.csv and summary.json; with the stage semantic semantic_map.ot, .bt, .ply,\n"
     "map_top.png and overview.png; with objects objects.json; with grid grid.pgm, grid.yaml and\n"
     "semantic_grid.pgm, .yaml, .png. As fast as it can, and with the same bytes on every run (but for timing.csv);\n"
-    "or, with --realtime, at the sensor's rate, dropping images that come too late.";
+    "or, with --realtime, at the sensor's rate, dropping images that come too late; summary.json has delays\n"
+    "and CPU time then, and delays.csv when after its delivery each image had its pose.";
 
 struct Arguments {
   std::string dataset;
@@ -132,71 +128,6 @@ std::optional<Arguments> ParseArguments(CommandLine& command_line) {
   return arguments;
 }
 
-// Sets the map's z axis up. Returns where "up" came from.
-std::string AlignWithGravity(const Sequence& sequence, const RgbdImage& first,
-                             const CameraModel& camera, VisualLocalization& localization) {
-  // The camera is the robot: z forward, x right, y down is what x forward, y left, z up sees.
-  Rigid3d T_base_camera = Rigid3d::Identity();
-  T_base_camera.linear() << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  std::optional<Eigen::Vector3d> up_camera;
-  if (const auto mean = MeanAcceleration(sequence.source->accelerometer(), first.stamp)) {
-    up_camera = sequence.R_camera_imu * *mean;
-  }
-  const MapStart start = FindMapStart(up_camera, first, camera, T_base_camera);
-  localization.SetStart(start.T_map_camera);
-  return start.source;
-}
-
-// Everything a run needs, and what it finds out.
-struct Run {
-  Sequence& sequence;
-  const CameraModel& camera;
-  VisualLocalization& localization;
-  ReplayStages& stages;
-  TrajectoryRecorder recorder;
-  RunFacts facts;
-
-  void Track(const RgbdImage& image) try {
-    if (facts.gravity.empty()) facts.gravity = AlignWithGravity(sequence, image, camera, localization);
-    const TrackedImage tracked = localization.Track(image);
-    recorder.Add(tracked);
-    stages.Offer(image, tracked, localization);
-  } catch (const InputError& e) {
-    ++facts.dropped["malformed"];
-    std::cerr << "dropped image at " << ToString(image.stamp) << " s: " << e.what() << '\n';
-  }
-
-  std::string Note() const { return recorder.lost() == 0 ? "" : std::to_string(recorder.lost()) + " lost"; }
-};
-
-void RunAsFastAsPossible(Run& run) {
-  ProgressBar progress("replay", run.sequence.source->size());
-  std::size_t done = 0;
-  while (const auto image = run.sequence.source->Next()) {
-    run.Track(*image);
-    progress.Update(++done, run.Note());
-  }
-}
-
-// The sensor does not wait: an image that finds two others waiting pushes the older one out.
-void RunAtSensorRate(Run& run) {
-  ProgressBar progress("replay", run.sequence.source->size());
-  std::optional<Worker<RgbdImage>> worker;
-  worker.emplace(2, WhenFull::kDropOldest, [&](const RgbdImage& image) { run.Track(image); });
-  const auto start = std::chrono::steady_clock::now();
-  std::optional<Stamp> first;
-  std::size_t done = 0;
-  while (const auto image = run.sequence.source->Next()) {
-    if (!first) first = image->stamp;
-    // Waiting for the sensor's clock is what this mode is for.
-    std::this_thread::sleep_until(start + std::chrono::nanoseconds(image->stamp.ns - first->ns));
-    worker->Push(*image);
-    progress.Update(++done);
-  }
-  run.facts.dropped["late"] = worker->dropped();
-  worker.reset();  // works off what is left
-}
-
 int Replay(CommandLine& command_line) {
   const auto arguments = ParseArguments(command_line);
   if (!arguments) return EXIT_SUCCESS;
@@ -211,7 +142,7 @@ int Replay(CommandLine& command_line) {
   localization.SetMapping(!arguments->localization_only);
   ReplayStages stages(arguments->selection, options, camera,
                       arguments->realtime ? WhenFull::kDropOldest : WhenFull::kBlock);
-  Run run{sequence, *camera, localization, stages, {}, {}};
+  ReplayRun run{sequence, *camera, localization, stages, {}, {}};
   run.facts.source = arguments->dataset;
   run.facts.timings_in_summary = arguments->realtime;
   if (arguments->realtime) {

@@ -106,6 +106,17 @@ TEST_F(PrefetchingSourceTest, CountsDropsAsOfTheImageReturned) {
   EXPECT_EQ(source.dropped(), 3u);
 }
 
+TEST_F(PrefetchingSourceTest, TellsTheReadersTime) {
+  PrefetchingSource source(Counting(1000));
+  EXPECT_EQ(source.cpu_s(), 0.0);
+  source.Next();
+  const double first_s = source.cpu_s();
+  EXPECT_GT(first_s, 0.0);
+  while (source.Next()) continue;
+  EXPECT_GT(source.cpu_s(), first_s);
+  EXPECT_LT(source.cpu_s(), 1.0);  // counting to a thousand takes a millisecond
+}
+
 TEST_F(PrefetchingSourceTest, PassesTheImuThrough) {
   const PrefetchingSource source(Counting(1));
   EXPECT_EQ(source.accelerometer().size(), 1u);

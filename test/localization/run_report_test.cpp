@@ -161,6 +161,18 @@ TEST_F(RunReportTest, TellsOfTheStagesBehindTracking) {
   EXPECT_NE(Content(folder_ / "timing.csv").find("semantic.cloud,4,"), std::string::npos);
 }
 
+TEST_F(RunReportTest, TellsHowLivePosesCame) {
+  Run();
+  Write(folder_.path());
+  EXPECT_FALSE(Summary().contains("live"));
+  facts_.live = LiveFacts{{{SmallSequenceStamp(0), 5.0}, {SmallSequenceStamp(1), 50.0}}, 1.8, 0.9};
+  Write(folder_.path());
+  EXPECT_EQ(Summary()["live"]["in_time"], 1);
+  EXPECT_EQ(Summary()["live"]["late"], 1);
+  EXPECT_DOUBLE_EQ(Summary()["live"]["cpu_ms_per_image"], 100.0);  // of nine images
+  EXPECT_EQ(LinesOf(folder_ / "delays.csv"), 3);
+}
+
 TEST_F(RunReportTest, ComparesWithTheGroundTruthIfThereIsOne) {
   Run();
   Write(folder_.path());

@@ -59,6 +59,23 @@ def test_timings_have_a_row_per_stage(room_replay):
         assert stage and int(count) > 0 and 0 <= float(median_ms) <= float(p95_ms)
 
 
+def test_at_the_sensors_rate_it_tells_how_late_poses_were(replay, room, tmp_path):
+    out = replay(room, tmp_path / "out", "--stages", "tracking", "--realtime")
+    assert {path.name for path in out.iterdir()} == TRACKING | {"timing.csv", "delays.csv"}
+    summary = json.loads((out / "summary.json").read_text())
+    live = summary["live"]
+    assert live["in_time"] + live["late"] == summary["tracked"] > 0
+    assert 0 < live["delay_median_ms"] <= live["delay_p95_ms"]
+    assert live["cpu_ms_per_image"] > 0 and live["decoding_ms_per_image"] > 0
+    header, *rows = lines(out / "delays.csv")
+    assert header == "stamp,delay_ms"
+    delays = {stamp: float(delay_ms) for stamp, delay_ms in (row.split(",") for row in rows)}
+    assert list(delays) == [line.split()[0] for line in lines(out / "trajectory_live.txt")]
+    assert sum(delay_ms <= live["latest_ms"] for delay_ms in delays.values()) == live["in_time"]
+    assert "live" not in json.loads((replay(room, tmp_path / "fast", "--stages", "tracking") /
+                                     "summary.json").read_text())
+
+
 def test_loses_nothing_in_the_room(run_program, room, room_replay):
     summary = json.loads((room_replay / "summary.json").read_text())
     assert summary["tracked"] == summary["images"] == 120

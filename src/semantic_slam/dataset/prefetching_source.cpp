@@ -3,6 +3,8 @@
 #include <cassert>
 #include <utility>
 
+#include "semantic_slam/common/cpu_time.h"
+
 namespace semantic_slam {
 
 PrefetchingSource::PrefetchingSource(std::unique_ptr<RgbdSource> source, std::size_t max_ahead)
@@ -25,6 +27,7 @@ std::optional<RgbdImage> PrefetchingSource::Next() {
   if (!step) return std::nullopt;
   problems_ = std::move(step->problems);
   dropped_ = step->dropped;
+  cpu_s_ = step->cpu_s;
   if (step->error) std::rethrow_exception(step->error);
   return std::move(step->image);
 }
@@ -48,6 +51,7 @@ PrefetchingSource::Step PrefetchingSource::TakeStep() const {
   }
   step.problems = source_->problems();
   step.dropped = source_->dropped();
+  step.cpu_s = ThreadCpuSeconds();
   return step;
 }
 

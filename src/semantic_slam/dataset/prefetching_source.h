@@ -31,6 +31,9 @@ class PrefetchingSource : public RgbdSource {
   const std::vector<std::string>& problems() const override { return problems_; }
   std::size_t dropped() const override { return dropped_; }
 
+  // CPU time that the reader has taken up to then [s], for decoding above all.
+  double cpu_s() const { return cpu_s_; }
+
   const std::vector<AccelerometerReading>& accelerometer() const override {
     return source_->accelerometer();
   }
@@ -43,6 +46,7 @@ class PrefetchingSource : public RgbdSource {
     std::exception_ptr error;
     std::vector<std::string> problems;
     std::size_t dropped = 0;
+    double cpu_s = 0.0;
   };
 
   void ReadAhead();
@@ -52,6 +56,7 @@ class PrefetchingSource : public RgbdSource {
   const std::size_t size_;
   std::vector<std::string> problems_;
   std::size_t dropped_ = 0;
+  double cpu_s_ = 0.0;
   BoundedQueue<Step> queue_;  // declared before thread_, so it outlives it
   std::thread thread_;
 };

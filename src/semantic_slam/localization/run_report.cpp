@@ -46,6 +46,7 @@ Json SummaryJson(const TrajectoryRecorder& recorder, const VisualLocalization& l
   json["dropped"] = Json::object();
   for (const auto& [cause, count] : facts.dropped) json["dropped"][cause] = count;
   for (const auto& [stage, counts] : facts.stages) json[stage] = counts;
+  if (facts.live) json["live"] = LiveJson(*facts.live, recorder.images());
   if (facts.timings_in_summary) json["stages"] = TimingsJson(AllTimings(localization, facts));
   return json;
 }
@@ -82,6 +83,7 @@ void WriteRunReport(const std::string& folder, const TrajectoryRecorder& recorde
   WriteFileAtomically(out / "timing.csv", [&](std::ostream& file) {
     WriteTimingCsv(AllTimings(localization, facts), file);
   });
+  if (facts.live) WriteDelays(facts.live->delays, out / "delays.csv");
   Json summary = SummaryJson(recorder, localization, graph, facts);
   if (!corrected.empty()) Compare(ground_truth, corrected, summary, out / "trajectory.png");
   WriteFileAtomically(out / "summary.json",

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "semantic_slam/localization/live_report.h"
 #include "semantic_slam/localization/trajectory_recorder.h"
 #include "semantic_slam/localization/visual_localization.h"
 
@@ -21,10 +23,11 @@ struct RunFacts {
   // Durations go into timing.csv always. They differ from run to run, so summary.json holds them
   // only where it need not be reproducible.
   bool timings_in_summary = true;
+  std::optional<LiveFacts> live;  // of a recording that was played at the sensor's rate
 };
 
 // Leaves a run's results in `folder`: trajectory.txt (corrected), trajectory_live.txt (as published),
-// keyframe_trajectory.txt, timing.csv and summary.json. Each file is complete or absent. Throws
+// keyframe_trajectory.txt, timing.csv, summary.json, and with live facts delays.csv. Each file is complete or absent. Throws
 // InputError naming a file that cannot be written.
 //
 // With `ground_truth` not empty the summary also has the trajectory's errors, and trajectory.png
