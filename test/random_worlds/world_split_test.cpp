@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -38,6 +40,29 @@ TEST(WorldSplit, SharesNoDesignOfSeveral) {
     all.insert(all.end(), validation.begin(), validation.end());
     EXPECT_EQ(std::set<int>(all.begin(), all.end()).size(), all.size()) << kind.name;
     EXPECT_EQ(static_cast<int>(all.size()), DesignCount(kind)) << kind.name;
+  }
+}
+
+TEST(WorldSplit, HoldsOutTheLastThirdWhereTrainingGotNoMoreDesigns) {
+  const FurnitureKind& stand = FindFurnitureKind("night_stand");
+  ASSERT_EQ(DesignCount(stand), 3);
+  EXPECT_EQ(DesignsFor(WorldSplit::kTraining, stand), (std::vector<int>{0, 1}));
+  EXPECT_EQ(DesignsFor(WorldSplit::kValidation, stand), std::vector<int>{2});
+}
+
+// Worlds for validation must stay as they are, or figures measured on them cannot be compared.
+TEST(WorldSplit, KeepsTheDesignsOfValidationWhereTrainingGotMore) {
+  const std::map<std::string, std::vector<int>> held_out{
+      {"armchair", {4, 5}}, {"bed", {3}},        {"chair", {8, 9, 10}}, {"coffee_table", {4, 5}},
+      {"desk", {5, 6}},     {"sofa", {5, 6}},    {"table", {5, 6}},     {"conference_table", {4}},
+      {"round_table", {3}}, {"single_bed", {3}}, {"office_chair", {4}}, {"dresser", {3}},
+      {"sideboard", {3}},   {"wardrobe", {2}}};
+  for (const auto& [name, designs] : held_out) {
+    const FurnitureKind& kind = FindFurnitureKind(name);
+    EXPECT_EQ(DesignsFor(WorldSplit::kValidation, kind), designs) << name;
+    const std::vector<int> training = DesignsFor(WorldSplit::kTraining, kind);
+    EXPECT_TRUE(std::is_sorted(training.begin(), training.end())) << name;
+    EXPECT_EQ(training.back(), DesignCount(kind) - 1) << name;
   }
 }
 

@@ -66,6 +66,13 @@ TEST(ShapesTest, SlabOverARoundedRectangle) {
   EXPECT_NEAR(VolumeOf(slab), 0.1 * (2 - (4 - kPi) * 0.0625), 0.002);
 }
 
+TEST(ShapesTest, SlabOverAnEllipse) {
+  const Mesh slab = SlabMesh(EllipseOutline({2, 1}), 0.5f, 0.6f);
+  ExpectSolid(slab);
+  ExpectBounds(slab, {-1, -0.5f, 0.5f}, {1, 0.5f, 0.6f});
+  EXPECT_NEAR(VolumeOf(slab), 0.1 * kPi * 0.5, 0.001);  // forty corners: 0.4 % less
+}
+
 TEST(ShapesTest, SheetIsTwiceItsHalfThickness) {
   const auto middle = [](float u, float v) { return Eigen::Vector3f(0, u, 1 - v); };
   const auto half = [](float, float) { return 0.01f; };

@@ -16,7 +16,8 @@ enum class WorldSplit { kTraining, kValidation };
 WorldSplit SplitNamed(const std::string& name);
 
 // The designs of a kind that worlds of a split use, ascending. Of two designs or more, validation
-// has the last third, at least one, and training the others; one design alone serves both.
+// has the last third, at least one, or, where training was given more afterwards, those that it had
+// before; training has the others. One design alone serves both.
 std::vector<int> DesignsFor(WorldSplit split, const FurnitureKind& kind);
 
 // A stuff that surfaces may be of, and how often.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "semantic_slam/worlds/bed_parts.h"
 #include "semantic_slam/worlds/furniture_builder.h"
 #include "semantic_slam/worlds/furniture_families.h"
 #include "semantic_slam/worlds/furniture_parts.h"
@@ -8,19 +9,6 @@
 
 namespace semantic_slam {
 namespace {
-
-// Mattress, duvet and two pillow-like rolls, between the ends `head_m` and `foot_m` (x), as wide as
-// `width_m`, from `low_m` up.
-void AddBedding(FurnitureBuilder& b, float head_m, float foot_m, float width_m, float low_m) {
-  const float top_m = b.Number("mattress_top_m");
-  const float half = 0.5f * width_m;
-  AddPadding(b, "mattress", {head_m, -half, low_m}, {foot_m, half, top_m}, 0.05f);
-  const float duvet = head_m + 0.3f * (foot_m - head_m);
-  AddPadding(b, "duvet", {duvet, -half - 0.02f, low_m + 0.5f * (top_m - low_m)},
-             {foot_m + 0.01f, half + 0.02f, top_m + 0.05f}, 0.05f);
-  AddPadding(b, "mattress", {duvet - 0.02f, -half, top_m + 0.01f},
-             {duvet + 0.2f, half, top_m + 0.062f}, 0.024f);
-}
 
 // A frame of tubes: bars at the head and, lower, at the foot.
 void BuildTubeBed(FurnitureBuilder& b) {

@@ -12,13 +12,20 @@
 namespace semantic_slam {
 namespace {
 
+// World files name designs by their number, so that a new family belongs at the end.
 DesignTable AllDesigns() {
   DesignTable all;
-  for (auto* family : {ChairDesigns, OfficeChairDesigns, ArmchairDesigns, SofaDesigns, TableDesigns,
-                       DeskDesigns, StorageDesigns, ShelfDesigns, BedDesigns, LampDesigns,
-                       DoorDesigns, OpeningDesigns, WallDesigns, PlantDesigns}) {
-    DesignTable more = family();
-    all.merge(more);
+  for (auto* family :
+       {ChairDesigns,       OfficeChairDesigns,  ArmchairDesigns,    SofaDesigns,
+        TableDesigns,       DeskDesigns,         StorageDesigns,     ShelfDesigns,
+        BedDesigns,         LampDesigns,         DoorDesigns,        OpeningDesigns,
+        WallDesigns,        PlantDesigns,        WoodenChairDesigns, StackableChairDesigns,
+        SwivelChairDesigns, EasyChairDesigns,    CouchDesigns,       BedsteadDesigns,
+        WorkstationDesigns, MeetingTableDesigns, LowTableDesigns,    DiningTableDesigns,
+        CupboardDesigns}) {
+    for (const auto& [kind, more] : family()) {
+      all[kind].insert(all[kind].end(), more.begin(), more.end());
+    }
   }
   return all;
 }

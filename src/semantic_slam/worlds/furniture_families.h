@@ -26,7 +26,8 @@ std::vector<FurnitureKind> TablewareKinds();
 std::vector<FurnitureKind> HouseholdKinds();
 std::vector<FurnitureKind> PersonKinds();
 
-// Designs 1, 2... of kinds by the kind's name; they are made of the materials of design 0.
+// Designs 1, 2... of kinds by the kind's name; they are made of the materials of design 0. Those of
+// a kind that has some in several families follow each other in the order of AllDesigns().
 using DesignTable = std::map<std::string, std::vector<FurnitureDesign>>;
 
 DesignTable ChairDesigns();
@@ -43,5 +44,16 @@ DesignTable DoorDesigns();
 DesignTable OpeningDesigns();
 DesignTable WallDesigns();
 DesignTable PlantDesigns();
+DesignTable WoodenChairDesigns();
+DesignTable StackableChairDesigns();
+DesignTable SwivelChairDesigns();
+DesignTable EasyChairDesigns();
+DesignTable CouchDesigns();
+DesignTable BedsteadDesigns();
+DesignTable WorkstationDesigns();
+DesignTable MeetingTableDesigns();
+DesignTable LowTableDesigns();
+DesignTable DiningTableDesigns();
+DesignTable CupboardDesigns();
 
 }  // namespace semantic_slam

@@ -198,6 +198,17 @@ std::vector<Eigen::Vector2f> RoundedRectangle(const Eigen::Vector2f& size_m, flo
   return outline_m;
 }
 
+std::vector<Eigen::Vector2f> EllipseOutline(const Eigen::Vector2f& size_m) {
+  constexpr int kCorners = 40;
+  std::vector<Eigen::Vector2f> outline_m;
+  for (int i = 0; i < kCorners; ++i) {
+    const float angle = 2 * kPi * i / kCorners;
+    outline_m.emplace_back(0.5f * size_m.x() * std::cos(angle),
+                           0.5f * size_m.y() * std::sin(angle));
+  }
+  return outline_m;
+}
+
 Mesh SheetMesh(const std::function<Eigen::Vector3f(float u, float v)>& middle_m,
                const std::function<float(float u, float v)>& half_m, const Eigen::Vector3f& forward,
                int columns, int rows) {

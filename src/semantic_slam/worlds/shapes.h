@@ -27,6 +27,9 @@ Mesh SlabMesh(const std::vector<Eigen::Vector2f>& outline_m, float bottom_m, flo
 // Outline of a rectangle about the origin with round corners.
 std::vector<Eigen::Vector2f> RoundedRectangle(const Eigen::Vector2f& size_m, float radius_m);
 
+// Outline of an ellipse about the origin, as long along x and y as `size_m`.
+std::vector<Eigen::Vector2f> EllipseOutline(const Eigen::Vector2f& size_m);
+
 // A thin thing that bends, such as a leaf or a curtain. `middle_m(u, v)`, 0 <= u, v <= 1, is its
 // middle surface, u to the right and v down as seen from its front; `half_m(u, v)` how far the
 // front lies before it along `forward`, and the back behind it. The edges are sharp.

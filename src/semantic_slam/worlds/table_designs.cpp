@@ -108,18 +108,6 @@ Mesh TulipMesh(float foot_radius_m, float height_m) {
                    32);
 }
 
-// The outline of an ellipse, counter-clockwise.
-std::vector<Eigen::Vector2f> EllipseOutline(const Eigen::Vector2f& size_m) {
-  constexpr int kCorners = 40;
-  std::vector<Eigen::Vector2f> outline_m;
-  for (int i = 0; i < kCorners; ++i) {
-    const float angle = 2 * kPi * i / kCorners;
-    outline_m.emplace_back(0.5f * size_m.x() * std::cos(angle),
-                           0.5f * size_m.y() * std::sin(angle));
-  }
-  return outline_m;
-}
-
 // A round or oval top on one stem.
 void BuildTulipTable(FurnitureBuilder& b) {
   const float top_m = 0.022f;
