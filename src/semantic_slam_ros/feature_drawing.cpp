@@ -24,6 +24,10 @@ cv::Scalar Colour(semantic_slam::ColourOrder order, int red, int green, int blue
 
 void DrawFeature(cv::Mat& pixels, const FeatureView& feature, const cv::Scalar& colour) {
   const cv::Point centre(cvRound(feature.pixel.x()), cvRound(feature.pixel.y()));
+  if (feature.is_left_out) {
+    cv::drawMarker(pixels, centre, colour, cv::MARKER_TILTED_CROSS, 7, 1, cv::LINE_AA);
+    return;
+  }
   if (!feature.is_inlier) {
     cv::circle(pixels, centre, 1, colour, cv::FILLED);
     return;
@@ -54,12 +58,14 @@ ColourImage DrawFeatures(const ColourImage& colour, const std::vector<FeatureVie
                      Colour(colour.order, 24, 24, 28));
   const cv::Scalar green = Colour(colour.order, 60, 220, 90);
   const cv::Scalar grey = Colour(colour.order, 160, 160, 160);
+  const cv::Scalar orange = Colour(colour.order, 250, 150, 40);
   const cv::Scalar red = Colour(colour.order, 240, 80, 70);
   cv::Mat picture = drawing.pixels.rowRange(0, colour.pixels.rows);
   // Inliers last, on top.
   for (const bool is_inlier : {false, true}) {
     for (const FeatureView& feature : features) {
-      if (feature.is_inlier == is_inlier) DrawFeature(picture, feature, is_inlier ? green : grey);
+      if (feature.is_inlier != is_inlier) continue;
+      DrawFeature(picture, feature, feature.is_left_out ? orange : is_inlier ? green : grey);
     }
   }
   const bool is_tracking = image.status == TrackingStatus::kTracking;

@@ -8,8 +8,9 @@
 
 namespace semantic_slam_ros {
 
-// A copy of `colour` for people to look at: features that support the pose as green squares, the
-// others as grey dots, and a line below that says how tracking goes.
+// A copy of `colour` for people to look at: features that support the pose as green squares, those on
+// what moves as orange crosses, the others as grey dots, and a line below that says how tracking
+// goes.
 ColourImage DrawFeatures(const ColourImage& colour,
                          const std::vector<semantic_slam::FeatureView>& features,
                          const semantic_slam::TrackedImage& image);

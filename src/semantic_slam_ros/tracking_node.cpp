@@ -47,7 +47,8 @@ TrackingNode::TrackingNode(const ros::NodeHandle& nh, const ros::NodeHandle& pri
 TrackingNode::TrackingNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
                            const TrackingNodeParameters& parameters)
     : options_(parameters.node),
-      stage_(nh, parameters.localization, parameters.map, parameters.publisher.base_frame, drops_),
+      stage_(nh, parameters.localization, parameters.map, parameters.labels,
+             parameters.publisher.base_frame, drops_),
       publisher_(nh, parameters.publisher),
       ground_truth_(nh, FrameName(options_.ground_truth_frame), parameters.publisher.map_frame),
       health_(nh, private_nh, "tracking", drops_,

@@ -38,6 +38,7 @@ struct TrackingNodeOptions {
 struct TrackingNodeParameters {
   TrackingNodeOptions node;
   TrackingMapOptions map;
+  TrackingLabelOptions labels;
   RgbdInputOptions input;
   TrackingPublisherOptions publisher;
   semantic_slam::ImagePairerOptions pairer;
@@ -47,6 +48,7 @@ struct TrackingNodeParameters {
   static void VisitGroups(Self& self, Visitor&& visit) {
     visit("", self.node);
     visit("", self.map);
+    visit("", self.labels);
     visit("", self.input);
     visit("", self.publisher);
     visit("pairer", self.pairer);

@@ -15,8 +15,11 @@
 
 namespace semantic_slam_ros {
 
+using semantic_slam::Matrix6d;
+using semantic_slam::MovedPoseCovariance;
 using semantic_slam::SecondsBetween;
 using semantic_slam::TrackedImage;
+using semantic_slam::TurnedPoseCovariance;
 using semantic_slam::VisualLocalization;
 
 namespace {
@@ -36,6 +39,19 @@ geometry_msgs::Twist MeanTwist(const Rigid3d& T_odom_before, const Rigid3d& T_od
   SetVector(T_odom_now.linear().transpose() * shift / seconds, msg.linear);
   SetVector(turn.axis() * turn.angle() / seconds, msg.angular);
   return msg;
+}
+
+// Of T_odom_base: the pose in the map is turned into odom's axes, and moved to the base.
+Matrix6d OdomCovariance(const TrackedImage& tracked, const Rigid3d& T_camera_base) {
+  const Eigen::Matrix3d R_odom_map =
+      tracked.T_odom_camera.linear() * tracked.T_map_camera.linear().transpose();
+  return MovedPoseCovariance(TurnedPoseCovariance(tracked.covariance, R_odom_map),
+                             tracked.T_odom_camera, T_camera_base.translation());
+}
+
+// The message has it row by row.
+void SetCovariance(const Matrix6d& covariance, boost::array<double, 36>& msg) {
+  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(msg.data()) = covariance;
 }
 
 }  // namespace
@@ -64,7 +80,7 @@ void TrackingPublisher::Publish(const TrackedFrame& frame,
     const Rigid3d T_map_base = tracked.T_map_camera * T_camera_base;
     const Rigid3d T_odom_base = tracked.T_odom_camera * T_camera_base;
     PublishTransforms(tracked.stamp, T_map_base, T_odom_base);
-    PublishOdometry(tracked, options_.odom_frame.empty() ? T_map_base : T_odom_base, T_odom_base);
+    PublishOdometry(frame);
     PublishPath(frame, localization);
   }
   PublishMapPoints(tracked.stamp, localization);
@@ -85,19 +101,32 @@ void TrackingPublisher::PublishTransforms(Stamp stamp, const Rigid3d& T_map_base
       ToTransformStamped(stamp, odom, base, T_odom_base)});
 }
 
-void TrackingPublisher::PublishOdometry(const TrackedImage& tracked, const Rigid3d& T_frame_base,
-                                        const Rigid3d& T_odom_base) {
+void TrackingPublisher::PublishOdometry(const TrackedFrame& frame) {
+  const TrackedImage& tracked = frame.tracked;
+  const Rigid3d T_camera_base = frame.T_base_camera.inverse();
+  const OdometryPose now{tracked.stamp, tracked.T_odom_camera * T_camera_base,
+                         OdomCovariance(tracked, T_camera_base), tracked.map_id};
+  const bool in_map = options_.odom_frame.empty();
+  const Eigen::Matrix3d R_map_odom =
+      tracked.T_map_camera.linear() * tracked.T_odom_camera.linear().transpose();
   nav_msgs::Odometry msg;
-  msg.header = MakeHeader(tracked.stamp,
-                          options_.odom_frame.empty() ? options_.map_frame : options_.odom_frame);
+  msg.header = MakeHeader(tracked.stamp, in_map ? options_.map_frame : options_.odom_frame);
   msg.child_frame_id = options_.base_frame;
-  msg.pose.pose = ToPose(T_frame_base);
+  msg.pose.pose = ToPose(in_map ? tracked.T_map_camera * T_camera_base : now.T_odom_base);
+  SetCovariance(in_map ? TurnedPoseCovariance(now.covariance, R_map_odom) : now.covariance,
+                msg.pose.covariance);
+  Matrix6d twist_covariance = semantic_slam::UnknownPoseCovariance();
   if (last_odometry_ && last_odometry_->map_id == tracked.map_id &&
       last_odometry_->stamp < tracked.stamp) {
-    msg.twist.twist = MeanTwist(last_odometry_->T_odom_base, T_odom_base,
-                                SecondsBetween(last_odometry_->stamp, tracked.stamp));
+    const double seconds = SecondsBetween(last_odometry_->stamp, tracked.stamp);
+    msg.twist.twist = MeanTwist(last_odometry_->T_odom_base, now.T_odom_base, seconds);
+    // As if the errors of the two poses had nothing to do with each other: most is theirs alone.
+    twist_covariance = TurnedPoseCovariance(last_odometry_->covariance + now.covariance,
+                                            now.T_odom_base.linear().transpose()) /
+                       (seconds * seconds);
   }
-  last_odometry_ = OdometryPose{tracked.stamp, T_odom_base, tracked.map_id};
+  SetCovariance(twist_covariance, msg.twist.covariance);
+  last_odometry_ = now;
   odometry_pub_.publish(msg);
 }
 

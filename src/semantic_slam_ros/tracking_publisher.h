@@ -48,17 +48,17 @@ class TrackingPublisher {
                const semantic_slam::VisualLocalization& localization);
 
  private:
+  // What the odometry said of an image.
   struct OdometryPose {
     semantic_slam::Stamp stamp;
     semantic_slam::Rigid3d T_odom_base;
+    semantic_slam::Matrix6d covariance;  // of that, along the axes of odom
     int map_id;
   };
 
   void PublishTransforms(semantic_slam::Stamp stamp, const semantic_slam::Rigid3d& T_map_base,
                          const semantic_slam::Rigid3d& T_odom_base);
-  void PublishOdometry(const semantic_slam::TrackedImage& tracked,
-                       const semantic_slam::Rigid3d& T_frame_base,
-                       const semantic_slam::Rigid3d& T_odom_base);
+  void PublishOdometry(const TrackedFrame& frame);
   void PublishKeyframes(const semantic_slam::VisualLocalization& localization);
   void PublishPath(const TrackedFrame& frame,
                    const semantic_slam::VisualLocalization& localization);

@@ -32,7 +32,8 @@ const std::string& CheckedMapFile(const std::string& path) {
 
 TrackingStage::TrackingStage(const ros::NodeHandle& nh,
                              const semantic_slam::LocalizationOptions& options,
-                             const TrackingMapOptions& map_options, std::string base_frame,
+                             const TrackingMapOptions& map_options,
+                             const TrackingLabelOptions& label_options, std::string base_frame,
                              DropCounter& drops)
     : options_(options),
       map_file_(CheckedMapFile(map_options.map_file)),
@@ -40,6 +41,7 @@ TrackingStage::TrackingStage(const ros::NodeHandle& nh,
       drops_(drops),
       transforms_(nh),
       start_pose_(nh, drops),
+      labels_(nh, label_options, drops),
       mapping_(map_options.mapping) {}
 
 std::optional<TrackedFrame> TrackingStage::Process(const RgbdMessages& messages) try {
@@ -55,6 +57,7 @@ std::optional<TrackedFrame> TrackingStage::Process(const RgbdMessages& messages)
     drops_.AddQuietly("waiting_for_imu");
     return std::nullopt;
   }
+  labels_.HandTo(*localization_);
   const semantic_slam::TrackedImage tracked = localization_->Track(image);
   return TrackedFrame{std::move(image), tracked, messages.frame_id, *T_base_camera};
 } catch (const InputError& e) {

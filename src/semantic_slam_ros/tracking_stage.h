@@ -14,6 +14,7 @@
 #include "semantic_slam_ros/rgbd_input.h"
 #include "semantic_slam_ros/start_pose.h"
 #include "semantic_slam_ros/static_transforms.h"
+#include "semantic_slam_ros/tracking_labels.h"
 
 namespace semantic_slam_ros {
 
@@ -39,14 +40,15 @@ struct TrackingMapOptions {
 // VisualLocalization, and what it takes to keep it going on a live stream: it is made when the
 // calibration is known, starts with z up, and forgets the map when the calibration changes or the
 // images begin a new timeline; without mapping a new timeline leaves the map as it is. Counts what
-// it cannot use under bad_image, no_transform and waiting_for_imu.
+// it cannot use under bad_image, no_transform and waiting_for_imu, and as TrackingLabels does.
 class TrackingStage {
  public:
   // Throws ConfigError if an option is out of range, or the map's file is bad. If it turns out with
   // the first image that the map was made with another camera, the process is asked to end. `drops`
   // must outlive this.
   TrackingStage(const ros::NodeHandle& nh, const semantic_slam::LocalizationOptions& options,
-                const TrackingMapOptions& map_options, std::string base_frame, DropCounter& drops);
+                const TrackingMapOptions& map_options, const TrackingLabelOptions& label_options,
+                std::string base_frame, DropCounter& drops);
 
   // nullopt if the images could not be used; they are counted then. For one thread.
   std::optional<TrackedFrame> Process(const RgbdMessages& messages);
@@ -76,6 +78,7 @@ class TrackingStage {
   DropCounter& drops_;
   StaticTransforms transforms_;
   StartPose start_pose_;
+  TrackingLabels labels_;
   std::shared_ptr<const semantic_slam::CameraIntrinsics> intrinsics_;
   std::shared_ptr<const semantic_slam::CameraModel> camera_;
   int timeline_ = 0;

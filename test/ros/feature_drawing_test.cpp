@@ -19,7 +19,8 @@ semantic_slam::TrackedImage Tracked() {
 }
 
 TEST(FeatureDrawingTest, InliersAreGreenInBothColourOrdersAndOthersGrey) {
-  const std::vector<FeatureView> features{{{50.0f, 40.0f}, 31.0f, true}, {{150.0f, 40.0f}, 31.0f, false}};
+  const std::vector<FeatureView> features{{{50.0f, 40.0f}, 31.0f, true, false},
+                                          {{150.0f, 40.0f}, 31.0f, false, false}};
   for (const ColourOrder order : {ColourOrder::kBgr, ColourOrder::kRgb}) {
     const ColourImage drawing = DrawFeatures(Black(order), features, Tracked());
     const auto inlier = drawing.pixels.at<cv::Vec3b>(40, 50);
@@ -31,9 +32,21 @@ TEST(FeatureDrawingTest, InliersAreGreenInBothColourOrdersAndOthersGrey) {
   }
 }
 
+TEST(FeatureDrawingTest, WhatMovesIsCrossedOutInOrangeInBothColourOrders) {
+  const std::vector<FeatureView> features{{{50.0f, 40.0f}, 31.0f, false, true}};
+  for (const ColourOrder order : {ColourOrder::kBgr, ColourOrder::kRgb}) {
+    const ColourImage drawing = DrawFeatures(Black(order), features, Tracked());
+    const auto centre = drawing.pixels.at<cv::Vec3b>(40, 50);
+    const int red = order == ColourOrder::kRgb ? centre[0] : centre[2];
+    const int blue = order == ColourOrder::kRgb ? centre[2] : centre[0];
+    EXPECT_GT(red, centre[1]);
+    EXPECT_GT(centre[1], 2 * blue);
+  }
+}
+
 TEST(FeatureDrawingTest, LeavesTheImageItselfAlone) {
   const ColourImage image = Black(ColourOrder::kRgb);
-  DrawFeatures(image, {{{50.0f, 40.0f}, 31.0f, true}}, Tracked());
+  DrawFeatures(image, {{{50.0f, 40.0f}, 31.0f, true, false}}, Tracked());
   EXPECT_EQ(cv::countNonZero(image.pixels.reshape(1)), 0);
 }
 

@@ -4,12 +4,16 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
+
+#include <Eigen/Cholesky>
 
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <semantic_slam/KeyframeArray.h>
 #include <semantic_slam/LoadMap.h>
 #include <semantic_slam/SaveMap.h>
+#include <semantic_slam/SemanticImage.h>
 #include <semantic_slam/TrackingState.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -18,7 +22,9 @@
 #include <tf2_ros/transform_listener.h>
 
 #include "ros/ros_testing.h"
+#include "semantic_slam/segmentation/segmentation.h"
 #include "semantic_slam_ros/conversions.h"
+#include "semantic_slam_ros/segmentation_conversions.h"
 #include "testing/expect_error.h"
 #include "testing/room_sequence.h"
 #include "testing/temporary_folder.h"
@@ -94,8 +100,10 @@ class TrackingNodeTest : public testing::Test {
   static void Advance(double seconds) { shift_ns_ += static_cast<std::int64_t>(seconds * 1e9); }
 
   std_msgs::Header HeaderOf(Stamp stamp) const {
-    return MakeHeader(Stamp{stamp.ns + shift_ns_}, kCameraFrame);
+    return MakeHeader(HeaderStamp(stamp), kCameraFrame);
   }
+
+  Stamp HeaderStamp(Stamp stamp) const { return Stamp{stamp.ns + shift_ns_}; }
 
   // Depth at colour's stamp, as a RealSense sends it: then a pair is certain as soon as it is there.
   void Send(const RgbdImage& image) {
@@ -401,6 +409,75 @@ TEST_F(TrackingNodeTest, OnlyLocalizesWhenTold) {
   const StateMsg found = Track((*images_)[3]);
   EXPECT_EQ(found.state, StateMsg::STATE_TRACKING);
   EXPECT_EQ(found.map_id, before.map_id);
+  Advance(10.0);
+}
+
+// Of a message, row by row.
+Eigen::Matrix<double, 6, 6> MatrixOf(const boost::array<double, 36>& covariance) {
+  return Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(covariance.data());
+}
+
+void ExpectCovariance(const boost::array<double, 36>& msg) {
+  const auto covariance = MatrixOf(msg);
+  ASSERT_TRUE(covariance.allFinite()) << covariance;
+  EXPECT_TRUE(covariance.isApprox(covariance.transpose(), 1e-9)) << covariance;
+  const Eigen::LLT<Eigen::Matrix<double, 6, 6>> factors(covariance);
+  EXPECT_EQ(factors.info(), Eigen::Success) << "not positive definite:\n" << covariance;
+}
+
+TEST_F(TrackingNodeTest, TellsHowSureTheOdometryIs) {
+  const StateMsg state = TrackSequence(10).back();
+  ASSERT_TRUE(SpinUntil(
+      [&] { return odometry_.last() && odometry_.last()->header.stamp == state.header.stamp; }, 5.0));
+  const nav_msgs::Odometry odometry = *odometry_.last();
+  ExpectCovariance(odometry.pose.covariance);
+  ExpectCovariance(odometry.twist.covariance);
+  // 1 px at 2 m is 4 mm, and hundreds of features are in view.
+  const auto pose = MatrixOf(odometry.pose.covariance);
+  EXPECT_GT(pose(0, 0), 1e-6) << "1 mm is the least";
+  EXPECT_LT((pose.topLeftCorner<3, 3>().trace()), 4e-4);
+  // A difference of two such poses, 1/30 s apart.
+  EXPECT_GT(MatrixOf(odometry.twist.covariance)(0, 0), 2e-6 * 900.0);
+  Advance(10.0);
+}
+
+TEST_F(TrackingNodeTest, TakesSemanticImagesAndCountsThoseItCannotUse) {
+  ros::Publisher publisher = nh_.advertise<semantic_slam::SemanticImage>("semantic_image", 10);
+  ASSERT_TRUE(SpinUntil([&] { return publisher.getNumSubscribers() > 0; }, kLimitS));
+  const auto vocabulary =
+      semantic_slam::LabelVocabulary::Load(std::string(SEMANTIC_SLAM_SOURCE_DIR) + "/config/labels.yaml");
+  const auto labels_of = [&](std::size_t image, cv::Size size) {
+    const cv::Mat floor(size, CV_8UC1, cv::Scalar::all(2));
+    return ToSemanticImage(
+        semantic_slam::SureSegmentation(floor, HeaderStamp((*images_)[image].stamp), vocabulary.hash()),
+        kCameraFrame);
+  };
+  const cv::Size size(640, 480);
+  TrackSequence(4);
+  const int bad = WaitForDiagnostic("dropped: bad_semantic_image", 0);
+  const int disordered = WaitForDiagnostic("dropped: semantic_image_out_of_order", 0);
+  const int late = WaitForDiagnostic("dropped: semantic_image_late", 0);
+
+  publisher.publish(labels_of(2, size));
+  SpinUntil([] { return false; }, 0.2);
+  EXPECT_EQ(Track((*images_)[4]).state, StateMsg::STATE_TRACKING);
+  publisher.publish(labels_of(1, size));               // out of order
+  publisher.publish(labels_of(3, cv::Size(320, 240)));  // of another size
+  semantic_slam::SemanticImagePtr foreign = labels_of(3, size);
+  foreign->label_set_hash += 1;
+  publisher.publish(foreign);
+  SpinUntil([] { return false; }, 0.2);
+  EXPECT_EQ(Track((*images_)[5]).state, StateMsg::STATE_TRACKING);
+  EXPECT_GE(WaitForDiagnostic("dropped: bad_semantic_image", bad + 2), bad + 2);
+  EXPECT_EQ(WaitForDiagnostic("dropped: semantic_image_out_of_order", disordered + 1), disordered + 1);
+
+  const semantic_slam::SemanticImagePtr old = labels_of(4, size);
+  Advance(1.0);
+  Track((*images_)[6]);
+  publisher.publish(old);
+  SpinUntil([] { return false; }, 0.2);
+  Track((*images_)[7]);
+  EXPECT_GE(WaitForDiagnostic("dropped: semantic_image_late", late + 1), late + 1);
   Advance(10.0);
 }
 

@@ -314,6 +314,63 @@ TEST_F(TrackerTest, WithoutMappingNoMapBegins) {
   EXPECT_EQ(Track(RoomFrame(1)).image.status, TrackingStatus::kTracking);
 }
 
+// Everything in the left half of the image is of a class that is to be left out.
+LabelImage LeftHalf(Stamp stamp) {
+  LabelImage image{stamp, cv::Mat(240, 320, CV_8UC1, cv::Scalar::all(1)), {31}};
+  image.labels.colRange(0, 160) = cv::Scalar::all(31);
+  return image;
+}
+
+TEST_F(TrackerTest, WhatLabelsLeaveOutHasNoPartInPoseOrMap) {
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_EQ(tracker_->AddLabels(LeftHalf(StampOf(i))), LabelImageFate::kUsed);
+    const TrackerResult result = Track(RoomFrame(i));
+    ASSERT_EQ(result.image.status, TrackingStatus::kTracking);
+    ExpectNear(result.image.T_map_camera, TruePose(i), "image " + std::to_string(i));
+    for (std::size_t k = 0; k < result.moves.size(); ++k) {
+      const bool in_half = (*RoomFrame(i))[k].raw.x() < 159.0f;
+      EXPECT_TRUE(result.moves[k] || !in_half) << i;
+      EXPECT_FALSE(result.moves[k] && result.is_inlier[k]) << i;
+    }
+  }
+  for (const auto& [id, keyframe] : map_->keyframes()) {
+    for (std::size_t k = 0; k < keyframe->points.size(); ++k) {
+      if (keyframe->points[k] == kNoPoint) continue;
+      EXPECT_GT((*keyframe->features)[k].raw.x(), 159.0f) << id;
+    }
+  }
+}
+
+TEST_F(TrackerTest, LabelsOfTheLastImagesAreUsedWhereTheyAreNow) {
+  TrackRoom(3);
+  ASSERT_EQ(tracker_->AddLabels(LeftHalf(StampOf(1))), LabelImageFate::kUsed);
+  const TrackerResult result = Track(RoomFrame(3));
+  const auto left_out = std::count(result.moves.begin(), result.moves.end(), true);
+  EXPECT_GT(left_out, 0.2 * static_cast<double>(result.moves.size()));
+  EXPECT_EQ(tracker_->AddLabels(LeftHalf(StampOf(0))), LabelImageFate::kOutOfOrder);
+  LabelImage small = LeftHalf(StampOf(3));
+  small.labels = small.labels.rowRange(0, 100);
+  EXPECT_EQ(tracker_->AddLabels(small), LabelImageFate::kBadSize);
+}
+
+TEST_F(TrackerTest, InARoomThatStandsStillNothingIsLeftOut) {
+  for (int i = 0; i < 12; ++i) {
+    const TrackerResult result = Track(RoomFrame(i));
+    EXPECT_EQ(std::count(result.moves.begin(), result.moves.end(), true), 0) << i;
+  }
+}
+
+TEST_F(TrackerTest, TellsHowSureThePoseIs) {
+  const Matrix6d unknown = UnknownPoseCovariance();
+  EXPECT_EQ(Track(BlankFrame(0)).image.covariance, unknown);
+  const Matrix6d first = Track(RoomFrame(1)).image.covariance;
+  EXPECT_LT(first(0, 0), 2e-6) << "it is where the map begins by definition";
+  const Matrix6d tracked = Track(RoomFrame(2)).image.covariance;
+  EXPECT_GT(tracked(0, 0), 1e-6);
+  EXPECT_LT((tracked.topLeftCorner<3, 3>().trace()), 1e-3);  // 3 cm: a room 2 m away, 1 px
+  EXPECT_EQ(Track(BlankFrame(3)).image.covariance, unknown);
+}
+
 TEST_F(TrackerTest, TheSameImagesGiveTheSameBytes) {
   std::vector<TrackedImage> first;
   for (int i = 0; i < 8; ++i) first.push_back(Track(RoomFrame(i)).image);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "semantic_slam/common/pose_covariance.h"
 #include "semantic_slam/common/stamp.h"
 #include "semantic_slam/common/transform.h"
 
@@ -35,7 +36,10 @@ struct TrackedImage {
   Rigid3d T_keyframe_camera = Rigid3d::Identity();
   Rigid3d T_map_camera = Rigid3d::Identity();   // may jump when the map is corrected
   Rigid3d T_odom_camera = Rigid3d::Identity();  // smooth, drifts
-  int inliers = 0;                              // map points that support the pose
+  // Of T_map_camera: how well the points that this image shows tell it. Of the drift since the map
+  // began it knows nothing. Large without kTracking, and where a pose was only predicted.
+  Matrix6d covariance = UnknownPoseCovariance();
+  int inliers = 0;  // map points that support the pose
   bool is_keyframe = false;
 };
 

@@ -20,7 +20,7 @@ class VisualLocalization::Implementation {
         map_(extractor_.scales()),
         index_(options.place_recognition),
         pipeline_(options.local_mapping, options.loop_closer, camera_, map_, index_, timer_, mode),
-        tracker_(options.tracking, options.readout, camera_, map_, index_) {}
+        tracker_(options.tracking, options.readout, camera_, map_, index_, options.moving) {}
 
   void SetStart(const Rigid3d& T_map_camera) {
     std::lock_guard<std::mutex> lock(tracking_mutex_);
@@ -46,9 +46,14 @@ class VisualLocalization::Implementation {
       result = tracker_.Track(features, pipeline_.HasRoom());
     }
     rejected_keyframes_ += result.keyframe_rejected;
-    KeepForView(std::move(features), std::move(result.is_inlier));
+    KeepForView(std::move(features), std::move(result.is_inlier), std::move(result.moves));
     if (result.new_keyframe) pipeline_.Add(*result.new_keyframe);
     return result.image;
+  }
+
+  LabelImageFate AddLabels(const LabelImage& image) {
+    std::lock_guard<std::mutex> lock(tracking_mutex_);
+    return tracker_.AddLabels(image);
   }
 
   void Reset() {
@@ -120,7 +125,8 @@ class VisualLocalization::Implementation {
     std::vector<FeatureView> views;
     for (std::size_t i = 0; i < is_inlier_.size(); ++i) {
       const Feature& feature = (*viewed_)[i];
-      views.push_back({feature.raw, 31.0f * extractor_.scales()[feature.octave], is_inlier_[i]});
+      views.push_back({feature.raw, 31.0f * extractor_.scales()[feature.octave], is_inlier_[i],
+                       is_left_out_[i]});
     }
     return views;
   }
@@ -148,10 +154,12 @@ class VisualLocalization::Implementation {
     return !map_.keyframes().empty();
   }
 
-  void KeepForView(std::shared_ptr<const FrameFeatures> features, std::vector<bool> is_inlier) {
+  void KeepForView(std::shared_ptr<const FrameFeatures> features, std::vector<bool> is_inlier,
+                   std::vector<bool> is_left_out) {
     std::lock_guard<std::mutex> lock(view_mutex_);
     viewed_ = std::move(features);
     is_inlier_ = std::move(is_inlier);
+    is_left_out_ = std::move(is_left_out);
   }
 
   std::shared_ptr<const CameraModel> camera_;  // guarded by tracking_mutex_
@@ -169,6 +177,7 @@ class VisualLocalization::Implementation {
   mutable std::mutex view_mutex_;
   std::shared_ptr<const FrameFeatures> viewed_;  // guarded by view_mutex_
   std::vector<bool> is_inlier_;                  // guarded by view_mutex_
+  std::vector<bool> is_left_out_;                // the same
 };
 
 VisualLocalization::VisualLocalization(const LocalizationOptions& options,
@@ -182,6 +191,9 @@ void VisualLocalization::SetStart(const Rigid3d& T_map_camera) {
 }
 TrackedImage VisualLocalization::Track(const RgbdImage& image) {
   return implementation_->Track(image);
+}
+LabelImageFate VisualLocalization::AddLabels(const LabelImage& image) {
+  return implementation_->AddLabels(image);
 }
 void VisualLocalization::Reset() { implementation_->Reset(); }
 void VisualLocalization::Reset(std::shared_ptr<const CameraModel> camera) {

@@ -26,6 +26,7 @@ struct LocalizationOptions {
   OrbExtractorOptions features;
   TrackerOptions tracking;
   ReadoutOptions readout;
+  MovingThingsOptions moving;
   LocalMapperOptions local_mapping;
   PlaceIndexOptions place_recognition;
   LoopCloserOptions loop_closer;
@@ -36,6 +37,7 @@ struct LocalizationOptions {
     visit_group("features", self.features);
     visit_group("tracking", self.tracking);
     visit_group("readout", self.readout);
+    MovingThingsOptions::VisitGroups(self.moving, visit_group);
     visit_group("local_mapping", self.local_mapping);
     visit_group("place_recognition", self.place_recognition);
     LoopCloserOptions::VisitGroups(self.loop_closer, visit_group);
@@ -47,6 +49,7 @@ struct FeatureView {
   Eigen::Vector2f pixel;  // raw image
   float size_px;          // diameter of the patch it was described from
   bool is_inlier;         // a map point that supports the pose; else just a corner
+  bool is_left_out;       // it is on something that moves
 };
 
 // Thesis section 3.2, Visual Localization: tracking, local mapping and loop closing behind one door. Track() is
@@ -65,6 +68,10 @@ class VisualLocalization {
   // Localizes one image. Throws InputError, and changes nothing, if the image does not fit the
   // camera or its stamp is not later than that of the image before.
   TrackedImage Track(const RgbdImage& image);
+
+  // What an image shows, and which classes of it move: features on those are left out, of that image
+  // if the labels come before it is given to Track(), else of later ones. Tells whether it is used.
+  LabelImageFate AddLabels(const LabelImage& image);
 
   // Forgets the map and starts a new one with the next image; map_id grows by one, keyframe ids and
   // the revision go on. The way to go after a jump back in time.

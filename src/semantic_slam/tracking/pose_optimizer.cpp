@@ -14,6 +14,12 @@ constexpr int kIterationsPerRound = 10;
 constexpr double kMinDepthM = 0.05;
 // A step must not look better because it throws points behind the camera.
 constexpr double kCostBehindCamera = 1e4;
+// With less the observations leave a part of the pose open.
+constexpr double kMinConditioning = 1e-14;
+// The mean of a squared normalised residual of a good measurement that passes for an inlier: of a
+// chi-square distribution with 2 and 1 degrees of freedom that is cut at kChi2Pixel and kChi2Depth.
+constexpr double kMeanChi2Pixel = 1.685;
+constexpr double kMeanChi2Depth = 0.759;
 
 struct State {
   Rigid3d T_camera_map = Rigid3d::Identity();
@@ -99,6 +105,26 @@ class PoseProblem {
 
   const std::vector<bool>& inliers() const { return uses_pixel_; }
 
+  // See PoseEstimate::covariance. The inverse of the inliers' information, for a step in the
+  // camera's axes, and that turned into the map's.
+  template <int N>
+  Matrix6d Covariance(const State& state) const {
+    const NormalEquations<N> equations = Linearise<N>(state, false);
+    const Eigen::LDLT<Eigen::Matrix<double, N, N>> factors(equations.H);
+    const Eigen::Matrix<double, N, 1> pivots = factors.vectorD();
+    if (!(pivots.minCoeff() > kMinConditioning * pivots.maxCoeff())) {
+      return Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
+    }
+    const Eigen::Matrix<double, N, N> inverse =
+        factors.solve(Eigen::Matrix<double, N, N>::Identity());
+    Matrix6d turn = Matrix6d::Zero();
+    turn.topLeftCorner<3, 3>() = state.T_camera_map.linear().transpose();
+    turn.bottomRightCorner<3, 3>() = turn.topLeftCorner<3, 3>();
+    const Matrix6d covariance =
+        VarianceFactor(state) * turn * inverse.template topLeftCorner<6, 6>() * turn.transpose();
+    return 0.5 * (covariance + covariance.transpose());
+  }
+
   // By how much the pixels of the inliers ask for another readout time, whatever that does to the pose.
   // The turn is what the motion so far tells: one fitted to this image would take up the answer.
   ReadoutEvidence Readout(const State& state) const {
@@ -120,6 +146,17 @@ class PoseProblem {
   }
 
  private:
+  // By how much the inliers' errors are larger, squared, than the noise that was assumed.
+  double VarianceFactor(const State& state) const {
+    double sum = 0.0, expected = -6.0;  // as many degrees of freedom went into the pose
+    for (std::size_t i = 0; i < observations_.size(); ++i) {
+      const Eigen::Vector3d p = PointAt(i, state);
+      if (uses_pixel_[i]) sum += PixelResidual(i, p).squaredNorm(), expected += kMeanChi2Pixel;
+      if (uses_depth_[i]) sum += DepthResidual(i, p).squaredNorm(), expected += kMeanChi2Depth;
+    }
+    return expected > 0.0 ? sum / expected : std::numeric_limits<double>::quiet_NaN();
+  }
+
   // How fast a point moves in the camera's frame.
   Eigen::Vector3d PointRate(const Eigen::Vector3d& p, const State& state) const {
     return -state.turn_radps.cross(p) - shutter_->twist.velocity_mps;
@@ -236,6 +273,7 @@ PoseEstimate OptimizePose(const std::vector<PoseObservation>& observations,
   }
   estimate.T_map_camera = Orthonormalised(state.T_camera_map.inverse());
   estimate.is_inlier = problem.inliers();
+  estimate.covariance = shutter ? problem.Covariance<9>(state) : problem.Covariance<6>(state);
   if (shutter) {
     estimate.twist.angular_velocity_radps = state.turn_radps;
     estimate.readout = problem.Readout(state);

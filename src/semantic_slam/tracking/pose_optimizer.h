@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "semantic_slam/camera/camera_model.h"
 #include "semantic_slam/camera/camera_twist.h"
+#include "semantic_slam/common/pose_covariance.h"
 #include "semantic_slam/common/transform.h"
 #include "semantic_slam/map/observation_noise.h"
 #include "semantic_slam/tracking/readout_estimator.h"
@@ -36,6 +38,10 @@ struct PoseEstimate {
   int inliers = 0;
   CameraTwist twist;          // with a rolling shutter: the angular velocity that fits best
   ReadoutEvidence readout;    // with a rolling shutter, by the inliers
+  // Of the pose: place [m] and rotation about fixed axes [rad], both in the map's axes, at the
+  // camera. By the inliers, if their errors are independent and as large as their residuals; of the
+  // points' own errors it knows nothing. Not a number if the inliers leave the pose open.
+  Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
 // The camera pose that fits the observations best, from a start near it: Levenberg-Marquardt on the
