@@ -90,9 +90,9 @@ void FrameFeatures::BuildGrid(const CameraModel& camera) {
   }
   for (std::size_t c = 1; c < cell_begin_.size(); ++c) cell_begin_[c] += cell_begin_[c - 1];
   std::vector<int> next(cell_begin_.begin(), cell_begin_.end() - 1);
-  cell_features_.resize(features_.size());
+  entries_.resize(features_.size());
   for (std::size_t i = 0; i < features_.size(); ++i) {
-    cell_features_[next[cell_of[i]]++] = static_cast<int>(i);
+    entries_[next[cell_of[i]]++] = {features_[i].pixel, features_[i].octave, static_cast<int>(i)};
   }
 }
 

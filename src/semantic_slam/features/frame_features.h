@@ -66,12 +66,19 @@ class FrameFeatures {
   Stamp stamp_;
   std::vector<Feature> features_;
   std::vector<Descriptor> descriptors_;
+  // What a search needs of a feature: all that it looks at lies side by side.
+  struct GridEntry {
+    Eigen::Vector2f pixel;
+    int octave;
+    int index;
+  };
+
   // Features by grid cell over the undistorted image, row-major: those of cell c are
-  // cell_features_[cell_begin_[c]] .. cell_features_[cell_begin_[c + 1] - 1].
+  // entries_[cell_begin_[c]] .. entries_[cell_begin_[c + 1] - 1].
   float left_px_ = 0.0f, top_px_ = 0.0f;
   int columns_ = 0, rows_ = 0;
   std::vector<int> cell_begin_;
-  std::vector<int> cell_features_;
+  std::vector<GridEntry> entries_;
 };
 
 template <typename Visitor>
@@ -80,14 +87,12 @@ void FrameFeatures::ForEachNear(const Eigen::Vector2f& pixel, float radius_px, i
   const int column_end = ColumnOf(pixel.x() + radius_px), row_end = RowOf(pixel.y() + radius_px);
   const int column_begin = ColumnOf(pixel.x() - radius_px);
   for (int row = RowOf(pixel.y() - radius_px); row <= row_end; ++row) {
-    for (int column = column_begin; column <= column_end; ++column) {
-      const int cell = row * columns_ + column;
-      for (int k = cell_begin_[cell]; k < cell_begin_[cell + 1]; ++k) {
-        const int i = cell_features_[k];
-        const Feature& feature = features_[i];
-        if (feature.octave < min_octave || feature.octave > max_octave) continue;
-        if ((feature.pixel - pixel).cwiseAbs().maxCoeff() <= radius_px) visit(i);
-      }
+    const int first = row * columns_;
+    const int end = cell_begin_[first + column_end + 1];
+    for (int k = cell_begin_[first + column_begin]; k < end; ++k) {
+      const GridEntry& entry = entries_[k];
+      if (entry.octave < min_octave || entry.octave > max_octave) continue;
+      if ((entry.pixel - pixel).cwiseAbs().maxCoeff() <= radius_px) visit(entry.index);
     }
   }
 }
