@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "semantic_slam/tracking/image_cells.h"
@@ -44,8 +43,14 @@ std::vector<FeatureMotion> FeatureMotions::Follow(std::shared_ptr<const FrameFea
   }
   if (!images_.empty()) {
     now.T_still_camera = images_.back().T_still_camera * T_last_camera;
-    if (MoveCamera(images_.front(), now, camera)) {
-      JudgeAll(images_.front(), now, camera, motions);
+    const Image& then = images_.front();
+    std::vector<int> voters;
+    for (std::size_t i = 0; i < then.moves.size(); ++i) {
+      if (!then.moves[i]) voters.push_back(static_cast<int>(i));
+    }
+    const std::vector<Pair> pairs = Match(then, now, voters, now.moves, 0.0, camera);
+    if (MoveCamera(then, pairs, now, camera)) {
+      JudgeAll(then, pairs, now, camera, motions);
     } else {
       images_.clear();
     }
@@ -59,23 +64,26 @@ std::vector<FeatureMotion> FeatureMotions::Follow(std::shared_ptr<const FrameFea
   return motions;
 }
 
-// Features of before are looked for where they are if they stand still, and then, those not found,
+// Features of before that were found about where they are if they stand still, and then the others,
 // where they may have gone.
-void FeatureMotions::JudgeAll(const Image& then, const Image& now, const CameraModel& camera,
+void FeatureMotions::JudgeAll(const Image& then, const std::vector<Pair>& near, const Image& now,
+                              const CameraModel& camera,
                               std::vector<FeatureMotion>& motions) const {
-  std::vector<int> wanted(then.features->size());
-  std::iota(wanted.begin(), wanted.end(), 0);
-  std::vector<bool> is_found(wanted.size(), false), is_taken = now.moves;
-  for (const double speed_mps : {0.0, options_.max_speed_mps}) {
-    for (const Pair& pair : Match(then, now, wanted, is_taken, speed_mps, camera)) {
+  std::vector<bool> is_found(then.features->size(), false), is_taken = now.moves;
+  const auto judge = [&](const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) {
       const FeatureMotion motion = Judge(then, now, pair, camera);
       if (motion.verdict == FeatureMotion::Verdict::kUnknown) continue;
       motions[pair.now] = motion;
       is_found[pair.then] = is_taken[pair.now] = true;
     }
-    const auto found = [&](int i) { return static_cast<bool>(is_found[i]); };
-    wanted.erase(std::remove_if(wanted.begin(), wanted.end(), found), wanted.end());
+  };
+  judge(near);
+  std::vector<int> gone;
+  for (std::size_t i = 0; i < is_found.size(); ++i) {
+    if (!is_found[i]) gone.push_back(static_cast<int>(i));
   }
+  judge(Match(then, now, gone, is_taken, options_.max_speed_mps, camera));
 }
 
 // Looks for the wanted features of the image before that have depth, as far away as what moves with
@@ -113,14 +121,11 @@ std::vector<FeatureMotions::Pair> FeatureMotions::Match(const Image& then, const
 }
 
 // The camera's motion by vote. False if too few agree.
-bool FeatureMotions::MoveCamera(const Image& then, Image& now, const CameraModel& camera) const {
-  std::vector<int> voters;
-  for (std::size_t i = 0; i < then.moves.size(); ++i) {
-    if (!then.moves[i]) voters.push_back(static_cast<int>(i));
-  }
+bool FeatureMotions::MoveCamera(const Image& then, const std::vector<Pair>& pairs, Image& now,
+                                const CameraModel& camera) const {
   ImageCells<int> votes(camera);
   std::vector<PoseObservation> observations;
-  for (const Pair& pair : Match(then, now, voters, now.moves, 0.0, camera)) {
+  for (const Pair& pair : pairs) {
     const Feature& feature = (*now.features)[pair.now];
     if (++votes.At(feature.pixel) > kMaxVotesPerCell) continue;
     const Feature& before = (*then.features)[pair.then];

@@ -17,9 +17,9 @@
 namespace semantic_slam {
 
 struct FeatureMotionOptions {
-  double window_s = 0.25;        // how far back the image lies that others are compared with
-  double min_vote_share = 0.75;  // of features in all parts of the image, that must agree on how
-                                 // the camera moves; with less, nothing is said
+  double window_s = 0.25;         // how far back the image lies that others are compared with
+  double min_vote_share = 0.75;   // of features in all parts of the image, that must agree on how
+                                  // the camera moves; with less, nothing is said
   double timing_sigma_s = 0.005;  // of exposure, by row and between colour and depth: where things
                                   // seem to be is that unsure while the camera moves
   double deviation_sigmas = 3.0;  // from where it were if it stood still, in standard deviations of
@@ -84,9 +84,10 @@ class FeatureMotions {
   std::vector<Pair> Match(const Image& then, const Image& now, const std::vector<int>& wanted,
                           const std::vector<bool>& is_taken, double speed_mps,
                           const CameraModel& camera) const;
-  void JudgeAll(const Image& then, const Image& now, const CameraModel& camera,
-                std::vector<FeatureMotion>& motions) const;
-  bool MoveCamera(const Image& then, Image& now, const CameraModel& camera) const;
+  void JudgeAll(const Image& then, const std::vector<Pair>& near, const Image& now,
+                const CameraModel& camera, std::vector<FeatureMotion>& motions) const;
+  bool MoveCamera(const Image& then, const std::vector<Pair>& pairs, Image& now,
+                  const CameraModel& camera) const;
   FeatureMotion Judge(const Image& then, const Image& now, const Pair& pair,
                       const CameraModel& camera) const;
   double SigmaPx(const Image& image, const Feature& feature, const CameraModel& camera) const;
