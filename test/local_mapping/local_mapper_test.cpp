@@ -92,7 +92,7 @@ TEST_F(LocalMapperTest, TellsThatTheMapHasChanged) {
   for (const StageTiming& timing : timer_.Timings()) stages.push_back(timing.stage);
   EXPECT_EQ(stages,
             (std::vector<std::string>{"local_mapping.apply", "local_mapping.bundle_adjustment",
-                                      "local_mapping.fuse"}));
+                                      "local_mapping.fuse", "local_mapping.triangulate"}));
 }
 
 TEST_F(LocalMapperTest, DoesNothingForAKeyframeThatIsGone) {

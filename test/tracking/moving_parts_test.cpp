@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +106,22 @@ TEST_F(MovingPartsTest, RefusesOptionsOutOfRange) {
   options.min_features = 1;
   EXPECT_EQ(MessageOf<ConfigError>([&] { Parts(options); }),
             "min_features = 1, but must be in [2, 1000]");
+}
+
+TEST(MarkWithoutDepthTest, AFeatureWithoutDepthIsWhatIsAroundIt) {
+  std::vector<Feature> features;
+  for (const float u : {40.0f, 42.0f, 44.0f, 150.0f, 152.0f, 154.0f, 280.0f}) {
+    Feature feature{};
+    feature.pixel = feature.raw = feature.exposed = {u, 60.0f};
+    feature.depth_m = 2.0f;
+    features.push_back(feature);
+  }
+  for (const int i : {2, 5, 6}) features[i].depth_m = std::numeric_limits<float>::quiet_NaN();
+  const FrameFeatures image(Stamp{1}, features, std::vector<Descriptor>(features.size()),
+                            *SmallCamera());
+  std::vector<bool> marked{true, true, false, false, false, false, false};
+  MarkWithoutDepth(image, *SmallCamera(), marked);
+  EXPECT_EQ(marked, (std::vector<bool>{true, true, true, false, false, false, false}));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ struct BundleCamera {
 };
 
 struct BundleObservation {
-  int camera;  // index into BundleProblem::cameras
-  int point;   // index into BundleProblem::points
+  int camera;             // index into BundleProblem::cameras
+  int point;              // index into BundleProblem::points
   Eigen::Vector2d pixel;  // undistorted
   double depth_m;         // NaN if not measured
   double pyramid_scale;
@@ -41,8 +41,8 @@ struct BundleSummary {
   double final_cost = 0.0;
 };
 
-// Moves the cameras that are not fixed and all points to fit the observations best: reprojection and
-// inverse-depth error as in OptimizePose(), solved by Ceres with analytic Jacobians, Schur
+// Moves the cameras that are not fixed and all points to fit the observations best: reprojection
+// and inverse-depth error as in OptimizePose(), solved by Ceres with analytic Jacobians, Schur
 // complement over the points, one thread, a fixed number of iterations: equal input, equal result.
 // At least one camera should be fixed; points without an observation stay.
 BundleSummary AdjustBundle(BundleProblem& problem, const CameraModel& camera,

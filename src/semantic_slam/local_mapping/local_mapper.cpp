@@ -17,11 +17,11 @@ constexpr float kFusionRadiusPx = 3.0f;
 
 LocalMapper::LocalMapper(const LocalMapperOptions& options,
                          std::shared_ptr<const CameraModel> camera, Map& map)
-    : options_(options),
+    : options_(Validated(options)),
       noise_{options.depth_sigma_at_1m_m},
       camera_(std::move(camera)),
       map_(map) {
-  Validate(options_);
+  Validate(options_.triangulation);
 }
 
 void LocalMapper::Reset(std::shared_ptr<const CameraModel> camera) {
@@ -31,10 +31,16 @@ void LocalMapper::Reset(std::shared_ptr<const CameraModel> camera) {
 void LocalMapper::Process(KeyframeId keyframe, StageTimer& timer) {
   Window window;
   {
-    StageTimer::Scope scope(timer, "local_mapping.fuse");
+    StageTimer::Scope scope(timer, "local_mapping.triangulate");
     std::lock_guard<std::mutex> lock(map_.mutex());
     if (map_.FindKeyframe(keyframe) == nullptr) return;
     CullYoungPoints(keyframe);
+    TriangulateWithNeighbours(keyframe, options_.triangulation, *camera_, noise_, map_);
+  }
+  {
+    StageTimer::Scope scope(timer, "local_mapping.fuse");
+    std::lock_guard<std::mutex> lock(map_.mutex());
+    if (map_.FindKeyframe(keyframe) == nullptr) return;  // the map was cleared meanwhile
     FuseWithNeighbours(keyframe);
     window = SelectWindow(keyframe);
   }

@@ -8,6 +8,7 @@
 #include "semantic_slam/common/duration_histogram.h"
 #include "semantic_slam/common/options.h"
 #include "semantic_slam/local_mapping/bundle_adjustment.h"
+#include "semantic_slam/local_mapping/triangulation.h"
 #include "semantic_slam/map/map.h"
 
 namespace semantic_slam {
@@ -24,6 +25,7 @@ struct LocalMapperOptions {
   int min_point_keyframes = 3;     // that see a point after its probation; else it goes
   double redundant_share = 0.9;    // a keyframe goes when this share of its points is seen well
   int redundant_observations = 3;  // by at least that many others
+  TriangulationOptions triangulation;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -39,6 +41,12 @@ struct LocalMapperOptions {
     visit("redundant_share", self.redundant_share, 0.1, 1.0);
     visit("redundant_observations", self.redundant_observations, 1, 100);
   }
+  // As configuration files have them.
+  template <typename Self, typename Visitor>
+  static void VisitGroups(Self& self, Visitor&& visit_group) {
+    visit_group("local_mapping", self);
+    visit_group("triangulation", self.triangulation);
+  }
 };
 
 // Thesis section 3.2, Local Mapping: keeps the map around the newest keyframe small and accurate.
@@ -49,9 +57,9 @@ class LocalMapper {
   LocalMapper(const LocalMapperOptions& options, std::shared_ptr<const CameraModel> camera,
               Map& map);
 
-  // Works a keyframe off: erases points that proved wrong, merges points seen twice, adjusts the
-  // keyframes around it and their points, and culls keyframes that add nothing. Does nothing if the
-  // keyframe is gone. `timer` gets the stages' durations.
+  // Works a keyframe off: erases points that proved wrong, makes those that it takes two views for,
+  // merges points seen twice, adjusts the keyframes around it and their points, and culls keyframes
+  // that add nothing. Does nothing if the keyframe is gone. `timer` gets the stages' durations.
   void Process(KeyframeId keyframe, StageTimer& timer);
 
   // Keyframes to come are of `camera`.

@@ -69,7 +69,8 @@ void FusePoints(const std::vector<PointId>& points, KeyframeId target_id, float 
     const MapPoint* point = map.FindPoint(ids[i]);
     if (matches[i] < 0 || point == nullptr) continue;
     const Feature& feature = (*target.features)[matches[i]];
-    if (Fits(feature, T_camera_map * point->position, map.scales()[feature.octave], camera, noise)) {
+    if (Fits(feature, T_camera_map * point->position, map.scales()[feature.octave], camera,
+             noise)) {
       Join(ids[i], target_id, matches[i], map);
     }
   }

@@ -11,9 +11,9 @@ namespace semantic_slam {
 // The points that a keyframe sees, by feature.
 std::vector<PointId> PointsOf(const Keyframe& keyframe);
 
-// Looks for the points in a keyframe that does not see them yet, within `radius_px` on pyramid level
-// 0 of where they should be. A feature found there either gets the point, or its own point turns out
-// to be the same one, and the two are merged. Points that are gone are left out.
+// Looks for the points in a keyframe that does not see them yet, within `radius_px` on pyramid
+// level 0 of where they should be. A feature found there either gets the point, or its own point
+// turns out to be the same one, and the two are merged. Points that are gone are left out.
 void FusePoints(const std::vector<PointId>& points, KeyframeId target, float radius_px,
                 const CameraModel& camera, const ObservationNoise& noise, Map& map);
 

@@ -38,7 +38,7 @@ struct LocalizationOptions {
     visit_group("tracking", self.tracking);
     visit_group("readout", self.readout);
     MovingThingsOptions::VisitGroups(self.moving, visit_group);
-    visit_group("local_mapping", self.local_mapping);
+    LocalMapperOptions::VisitGroups(self.local_mapping, visit_group);
     visit_group("place_recognition", self.place_recognition);
     LoopCloserOptions::VisitGroups(self.loop_closer, visit_group);
   }

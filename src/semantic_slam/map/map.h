@@ -36,10 +36,13 @@ struct Keyframe {
   std::shared_ptr<const FrameFeatures> features;
   Rigid3d T_map_camera = Rigid3d::Identity();
   std::vector<PointId> points;          // per feature; kNoPoint where it shows none
+  std::vector<bool> left_out;           // per feature: it is on something that moves; empty: none is
   std::map<KeyframeId, int> covisible;  // number of points shared with other keyframes
   KeyframeId parent = kNoKeyframe;      // spanning tree
   bool is_joint =
       false;  // began a map that was joined to another: it need not see what its parent does
+
+  bool LeavesOut(std::size_t feature) const { return !left_out.empty() && left_out[feature]; }
 };
 
 // Two keyframes of one place that closing a loop has tied together.

@@ -33,7 +33,9 @@ bool KeyframeMaker::WantsKeyframe(const FrameInWork& frame) {
 }
 
 KeyframeId KeyframeMaker::Insert(const CameraModel& camera, FrameInWork& frame) {
-  const KeyframeId id = map_.AddKeyframe(frame.features, frame.T_map_camera).id;
+  Keyframe& keyframe = map_.AddKeyframe(frame.features, frame.T_map_camera);
+  keyframe.left_out = frame.moves;
+  const KeyframeId id = keyframe.id;
   AddObservations(id, frame);
   AddPoints(id, camera, frame);
   map_.UpdateCovisibility(id);

@@ -1,6 +1,7 @@
 #include "semantic_slam/tracking/moving_parts.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -40,6 +41,9 @@ double ImageShare(const FrameFeatures& features, const std::vector<bool>& marked
 bool AreNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius_m) {
   return (a - b).squaredNorm() <= radius_m * radius_m;
 }
+
+// How far around a feature, of the image's width.
+constexpr float kAroundShare = 1.0f / 32.0f;
 
 }  // namespace
 
@@ -155,6 +159,20 @@ bool MovingParts::IsNearPlace(const Eigen::Vector3d& position, Stamp now) const 
   return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
     return place.is_sure && AreNear(position, place.At(now), options_.link_radius_m);
   });
+}
+
+void MarkWithoutDepth(const FrameFeatures& features, const CameraModel& camera,
+                      std::vector<bool>& marked) {
+  const float radius_px = kAroundShare * camera.undistorted_bounds().width;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (features[i].has_depth() || marked[i]) continue;
+    int balance = 0;
+    features.ForEachNear(features[i].pixel, radius_px, 0, std::numeric_limits<int>::max(),
+                         [&](int k) {
+                           if (features[k].has_depth()) balance += marked[k] ? 1 : -1;
+                         });
+    marked[i] = balance > 0;
+  }
 }
 
 }  // namespace semantic_slam

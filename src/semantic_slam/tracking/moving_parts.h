@@ -81,4 +81,9 @@ class MovingParts {
   std::vector<Place> places_;
 };
 
+// Marks of features without depth, which cannot be placed, what most features with depth around
+// them in the image are.
+void MarkWithoutDepth(const FrameFeatures& features, const CameraModel& camera,
+                      std::vector<bool>& marked);
+
 }  // namespace semantic_slam

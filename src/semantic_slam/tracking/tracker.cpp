@@ -135,6 +135,7 @@ void Tracker::LeaveOutMasked(const Rigid3d& T_last_camera, FrameInWork& frame) c
 void Tracker::LeaveOutMoving(FrameInWork& frame) {
   const Rigid3d T_last_camera = last_.T_map_camera.inverse() * frame.T_map_camera;
   frame.moves = moving_.Find(frame.features, T_last_camera, frame.moves, fitter_.camera());
+  MarkWithoutDepth(*frame.features, fitter_.camera(), frame.moves);
   for (std::size_t i = 0; i < frame.moves.size(); ++i) {
     if (frame.moves[i]) frame.points[i] = kNoPoint;
   }
