@@ -17,8 +17,8 @@ struct LocalMapperOptions {
   double depth_sigma_at_1m_m = 0.02;  // of the depth sensor; grows with depth squared
   int window_keyframes = 15;          // moved by one bundle adjustment
   int fixed_keyframes = 25;           // that hold it in place
-  int robust_iterations = 5;
-  int final_iterations = 5;
+  int robust_iterations = 3;
+  int final_iterations = 4;
   int fusion_neighbours = 10;   // keyframes whose points are merged with the new one's
   int probation_keyframes = 8;  // after the one that made a point, until it must have proved right
   double min_found_ratio = 0.25;   // points on probation matched less often than this are mistakes
