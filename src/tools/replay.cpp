@@ -11,6 +11,7 @@
 
 #include "semantic_slam/common/check.h"
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/common/heap.h"
 #include "semantic_slam/localization/run_report.h"
 #include "semantic_slam/localization/visual_localization.h"
 #include "tools/command_line.h"
@@ -166,5 +167,6 @@ int Replay(CommandLine& command_line) {
 }  // namespace semantic_slam
 
 int main(int argc, char** argv) {
+  semantic_slam::ReturnLargeBlocks();
   return semantic_slam::RunProgram(argc, argv, semantic_slam::kPurpose, semantic_slam::Replay);
 }

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "semantic_slam/common/check.h"
+#include "semantic_slam/common/heap.h"
 #include "semantic_slam/localization/visual_localization.h"
 #include "tools/command_line.h"
 #include "tools/open_sequence.h"
@@ -149,5 +150,6 @@ int ReplayLaps(CommandLine& command_line) {
 }  // namespace semantic_slam
 
 int main(int argc, char** argv) {
+  semantic_slam::ReturnLargeBlocks();
   return semantic_slam::RunProgram(argc, argv, semantic_slam::kPurpose, semantic_slam::ReplayLaps);
 }

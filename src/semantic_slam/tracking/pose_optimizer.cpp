@@ -53,39 +53,95 @@ struct NormalEquations {
   }
 };
 
+// Adds up what observations ask of the points that they show, each by its 3 x 3 equations, and
+// makes of it the equations for the step of the pose that moves the points. A point's Jacobian is
+// J = (I, -[p]x[, t [p]x]): six products of 3 x 3 in place of all of J'HJ.
+template <int N>
+struct PointSums {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();   // of H
+  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();   // of H [p]x
+  Eigen::Matrix3d K = Eigen::Matrix3d::Zero();   // of -[p]x H [p]x
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();   // of b
+  Eigen::Vector3d c = Eigen::Vector3d::Zero();   // of p x b
+  Eigen::Matrix3d tM = Eigen::Matrix3d::Zero();  // the same, times row times
+  Eigen::Matrix3d tK = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d ttK = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d tc = Eigen::Vector3d::Zero();
+  double cost = 0.0;
+
+  void Add(const NormalEquations<3>& point, const Eigen::Vector3d& p, double row_time_s) {
+    Eigen::Matrix3d m, k;
+    for (int row = 0; row < 3; ++row) m.row(row) = Eigen::Vector3d(point.H.row(row)).cross(p);
+    for (int column = 0; column < 3; ++column) k.col(column) = m.col(column).cross(p);
+    const Eigen::Vector3d moment = p.cross(point.b);
+    H += point.H;
+    M += m;
+    K += k;
+    b += point.b;
+    c += moment;
+    cost += point.cost;
+    if constexpr (N == 9) {
+      tM += row_time_s * m;
+      tK += row_time_s * k;
+      ttK += row_time_s * row_time_s * k;
+      tc += row_time_s * moment;
+    }
+  }
+
+  NormalEquations<N> Equations() const {
+    NormalEquations<N> equations;
+    equations.cost = cost;
+    if constexpr (N == 9) {
+      equations.H << H, -M, tM, -M.transpose(), K, -tK, tM.transpose(), -tK, ttK;
+      equations.b << b, c, -tc;
+    } else {
+      equations.H << H, -M, -M.transpose(), K;
+      equations.b << b, c;
+    }
+    return equations;
+  }
+};
+
 class PoseProblem {
  public:
   PoseProblem(const std::vector<PoseObservation>& observations, const CameraModel& camera,
               const ObservationNoise& noise, const std::optional<RollingShutter>& shutter)
-      : observations_(observations), camera_(camera), noise_(noise), shutter_(shutter),
-        uses_pixel_(observations.size(), true), uses_depth_(observations.size()) {
+      : observations_(observations),
+        camera_(camera),
+        noise_(noise),
+        shutter_(shutter),
+        uses_pixel_(observations.size(), true),
+        uses_depth_(observations.size()) {
     for (std::size_t i = 0; i < observations.size(); ++i) {
       uses_depth_[i] = observations[i].depth_m > 0.0;
     }
   }
 
-  // Linearised for a step d = (translation, rotation[, turn]): T_camera_map <- (I + d) T_camera_map.
+  // Linearised for a step d = (translation, rotation[, turn]): T_camera_map <- (I + d)
+  // T_camera_map.
   template <int N>
   NormalEquations<N> Linearise(const State& state, bool robust) const {
-    NormalEquations<N> equations;
-    if constexpr (N == 9) AddTurnPrior(state, equations);
+    PointSums<N> sums;
     for (std::size_t i = 0; i < observations_.size(); ++i) {
       if (!uses_pixel_[i] && !uses_depth_[i]) continue;
       const Eigen::Vector3d p = PointAt(i, state);
       if (p.z() < kMinDepthM) {
-        equations.cost += kCostBehindCamera;
+        sums.cost += kCostBehindCamera;
         continue;
       }
-      const Eigen::Matrix<double, 3, N> dp = PointJacobian<N>(i, p);
+      NormalEquations<3> point;
       if (uses_pixel_[i]) {
-        equations.template Add<2>(PixelResidual(i, p), PixelJacobian(i, p) * dp, kChi2Pixel, robust);
+        point.Add<2>(PixelResidual(i, p), PixelJacobian(i, p), kChi2Pixel, robust);
       }
       if (uses_depth_[i]) {
-        const Eigen::Matrix<double, 1, N> J =
-            -dp.row(2) / (p.z() * p.z() * noise_.InverseDepthSigma());
-        equations.template Add<1>(DepthResidual(i, p), J, kChi2Depth, robust);
+        const Eigen::Matrix<double, 1, 3> J(0.0, 0.0,
+                                            -1.0 / (p.z() * p.z() * noise_.InverseDepthSigma()));
+        point.Add<1>(DepthResidual(i, p), J, kChi2Depth, robust);
       }
+      sums.Add(point, p, N == 9 ? RowTime(i) : 0.0);
     }
+    NormalEquations<N> equations = sums.Equations();
+    if constexpr (N == 9) AddTurnPrior(state, equations);
     return equations;
   }
 
@@ -125,8 +181,9 @@ class PoseProblem {
     return 0.5 * (covariance + covariance.transpose());
   }
 
-  // By how much the pixels of the inliers ask for another readout time, whatever that does to the pose.
-  // The turn is what the motion so far tells: one fitted to this image would take up the answer.
+  // By how much the pixels of the inliers ask for another readout time, whatever that does to the
+  // pose. The turn is what the motion so far tells: one fitted to this image would take up the
+  // answer.
   ReadoutEvidence Readout(const State& state) const {
     NormalEquations<7> equations;
     for (std::size_t i = 0; i < observations_.size(); ++i) {
@@ -135,7 +192,7 @@ class PoseProblem {
       const Eigen::Vector3d p = PointAt(i, expected);
       if (p.z() < kMinDepthM) continue;
       Eigen::Matrix<double, 3, 7> dp;
-      dp << PointJacobian<6>(i, p), observations_[i].row_fraction * PointRate(p, expected);
+      dp << PointJacobian(p), observations_[i].row_fraction * PointRate(p, expected);
       equations.Add<2>(PixelResidual(i, p), PixelJacobian(i, p) * dp, kChi2Pixel, false);
     }
     equations.H.diagonal().array() += 1e-9;
@@ -172,13 +229,9 @@ class PoseProblem {
     return observations_[i].row_fraction * shutter_->readout_s;
   }
 
-  template <int N>
-  Eigen::Matrix<double, 3, N> PointJacobian(std::size_t i, const Eigen::Vector3d& p) const {
-    Eigen::Matrix<double, 3, N> dp;
-    const Eigen::Matrix3d skew = Skew(p);
-    dp.template leftCols<3>().setIdentity();
-    dp.template middleCols<3>(3) = -skew;
-    if constexpr (N == 9) dp.template rightCols<3>() = RowTime(i) * skew;
+  static Eigen::Matrix<double, 3, 6> PointJacobian(const Eigen::Vector3d& p) {
+    Eigen::Matrix<double, 3, 6> dp;
+    dp << Eigen::Matrix3d::Identity(), -Skew(p);
     return dp;
   }
 
