@@ -9,19 +9,8 @@ namespace {
 
 constexpr int kMaxDistance = 50;
 
-bool DepthFits(const Feature& feature, double z_m, const ObservationNoise& noise) {
-  if (!feature.has_depth()) return true;
-  const double error = (1.0 / z_m - 1.0 / feature.depth_m) / noise.InverseDepthSigma();
-  return error * error <= 2.0 * kChi2Depth;  // both the point's depth and this one are noisy
-}
-
-// Whether the feature shows a point at p_camera.
-bool Fits(const Feature& feature, const Eigen::Vector3d& p_camera, double pyramid_scale,
-          const CameraModel& camera, const ObservationNoise& noise) {
-  const double error = (camera.Project(p_camera) - feature.pixel.cast<double>()).norm() /
-                       noise.PixelSigma(pyramid_scale);
-  return error * error <= kChi2Pixel && DepthFits(feature, p_camera.z(), noise);
-}
+// Of a point's depth and a measured one, that are both noisy.
+constexpr double kMaxChi2Depth = 2.0 * kChi2Depth;
 
 // Makes the feature show the point, or the point that it shows and this one the same.
 void Join(PointId id, KeyframeId keyframe, int feature, Map& map) {
@@ -36,6 +25,16 @@ void Join(PointId id, KeyframeId keyframe, int feature, Map& map) {
 }
 
 }  // namespace
+
+bool ShowsPoint(const Feature& feature, const Eigen::Vector3d& p_camera, double pyramid_scale,
+                double max_chi2_depth, const CameraModel& camera, const ObservationNoise& noise) {
+  const double error_px = (camera.Project(p_camera) - feature.pixel.cast<double>()).norm() /
+                          noise.PixelSigma(pyramid_scale);
+  if (error_px * error_px > kChi2Pixel) return false;
+  if (!feature.has_depth()) return true;
+  const double error = (1.0 / p_camera.z() - 1.0 / feature.depth_m) / noise.InverseDepthSigma();
+  return error * error <= max_chi2_depth;
+}
 
 std::vector<PointId> PointsOf(const Keyframe& keyframe) {
   std::vector<PointId> points;
@@ -69,8 +68,8 @@ void FusePoints(const std::vector<PointId>& points, KeyframeId target_id, float 
     const MapPoint* point = map.FindPoint(ids[i]);
     if (matches[i] < 0 || point == nullptr) continue;
     const Feature& feature = (*target.features)[matches[i]];
-    if (Fits(feature, T_camera_map * point->position, map.scales()[feature.octave], camera,
-             noise)) {
+    if (ShowsPoint(feature, T_camera_map * point->position, map.scales()[feature.octave],
+                   kMaxChi2Depth, camera, noise)) {
       Join(ids[i], target_id, matches[i], map);
     }
   }

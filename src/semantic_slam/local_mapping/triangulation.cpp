@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "semantic_slam/features/matching.h"
+#include "semantic_slam/local_mapping/point_fusion.h"
 
 namespace semantic_slam {
 namespace {
@@ -92,13 +93,8 @@ std::optional<Eigen::Vector3d> Meet(const Eigen::Vector3d& ray_a, const Eigen::V
 // Whether a feature shows what is there.
 bool Shows(const Feature& feature, const Eigen::Vector3d& p_camera, const CameraModel& camera,
            const ObservationNoise& noise, const Map& map) {
-  if (p_camera.z() <= 0.0) return false;
-  const double sigma_px = noise.PixelSigma(map.scales()[feature.octave]);
-  const Eigen::Vector2d off_px = camera.Project(p_camera) - feature.pixel.cast<double>();
-  if (off_px.squaredNorm() > kChi2Pixel * sigma_px * sigma_px) return false;
-  if (!feature.has_depth()) return true;
-  const double off = (1.0 / p_camera.z() - 1.0 / feature.depth_m) / noise.InverseDepthSigma();
-  return off * off <= kChi2Depth;
+  return p_camera.z() > 0.0 &&
+         ShowsPoint(feature, p_camera, map.scales()[feature.octave], kChi2Depth, camera, noise);
 }
 
 // Whether the levels on which the features were found agree with how far away the point is.
