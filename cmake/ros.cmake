@@ -91,6 +91,10 @@ function(semantic_slam_programs)
     get_filename_component(program ${source} NAME_WE)
     semantic_slam_executable(${program} ${source} semantic_slam_tools)
   endforeach()
+  # Mappers side by side. Its sources lie with the benchmarks, but it is a program for everyone.
+  file(GLOB sources CONFIGURE_DEPENDS benchmark/semantic_octree/*.cpp)
+  semantic_slam_executable(semantic_octree_benchmark "${sources}" semantic_slam_tools)
+  target_include_directories(semantic_octree_benchmark PRIVATE benchmark)
   # The small textured room that tests use.
   set(room test/testing/render_textured_room_main.cpp)
   if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${room})

@@ -102,6 +102,8 @@ REFUSED = [
     ("octree_info", "", "MAP.ot"),
     ("octree_info", "{tmp}/missing.ot", "{tmp}/missing.ot"),
     ("octree_info", "{tmp}/text.bag", "{tmp}/text.bag OctoMap"),
+    ("semantic_octree_benchmark", "--method hexagons", "--method hexagons semantic"),
+    ("semantic_octree_benchmark", "--method semantic --res 0", "--res 0.01"),
     ("octree_convert", "{tmp}/map.ot", "OUT"),
     ("octree_convert", "{tmp}/missing.ot {tmp}/o.bt", "{tmp}/missing.ot"),
     ("octree_convert", "{tmp}/text.bag {tmp}/o.bt", "{tmp}/text.bag OctoMap"),
