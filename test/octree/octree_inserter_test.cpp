@@ -146,9 +146,9 @@ TEST(OctreeInserterTest, DoesNotDependOnTheOrderOfPoints) {
   }
   SemanticOcTree a(1.5), b(1.5);  // coarse: many points in a voxel
   OctreeInserter inserter({}, Bayes());
-  const auto kept_a = inserter.Insert(points, Rigid3d::Identity(), a);
+  const std::vector<VoxelObservation> kept_a = inserter.Insert(points, Rigid3d::Identity(), a);
   std::shuffle(points.begin(), points.end(), random);
-  const auto kept_b = inserter.Insert(points, Rigid3d::Identity(), b);
+  const std::vector<VoxelObservation> kept_b = inserter.Insert(points, Rigid3d::Identity(), b);
   EXPECT_TRUE(a == b);
   ASSERT_EQ(kept_a.size(), kept_b.size());
   EXPECT_LT(kept_a.size(), points.size() / 2);
@@ -161,9 +161,9 @@ TEST(OctreeInserterTest, WhatItReturnsInsertsTheSame) {
   OctreeInserter inserter({}, Bayes());
   for (int scan = 0; scan < 5; ++scan) {
     auto points = RandomScan(random, 2000);
-    for (std::size_t i = 0; i < points.size(); i += 3) points[i].is_transient = true;
+    for (std::size_t i = 0; i < points.size(); i += 3) points[i].is_only_seen = true;
     const Rigid3d pose = RandomPose(random);
-    const auto kept = inserter.Insert(points, pose, first);
+    const std::vector<VoxelObservation> kept = inserter.Insert(points, pose, first);
     inserter.Insert(kept, pose, again);
   }
   EXPECT_TRUE(first == again);
@@ -221,12 +221,12 @@ TEST(OctreeInserterTest, ATransientPointClearsTheWayAndOccupiesNothing) {
   OctreeInserter inserter({}, Bayes());
   SemanticOcTree tree(kResolutionM);
   auto person = Observation({0.05f, 0.05f, 2.05f}, kPerson, 0.9f);
-  person.is_transient = true;
-  const auto kept = inserter.Insert({person}, Rigid3d::Identity(), tree);
+  person.is_only_seen = true;
+  const std::vector<VoxelObservation> kept = inserter.Insert({person}, Rigid3d::Identity(), tree);
   EXPECT_EQ(tree.search(0.05, 0.05, 2.05), nullptr);
   EXPECT_FALSE(tree.isNodeOccupied(tree.search(0.05, 0.05, 1.05)));
   ASSERT_EQ(kept.size(), 1u);
-  EXPECT_TRUE(kept[0].is_transient);
+  EXPECT_TRUE(kept[0].is_only_seen);
 
   // Beside it in the same voxel something that stays: that is entered, under its own label.
   inserter.Insert({person, Observation({0.06f, 0.05f, 2.05f}, kChair, 0.6f)}, Rigid3d::Identity(),

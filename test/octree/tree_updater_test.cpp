@@ -12,33 +12,53 @@ octomap::OcTreeKey Key(int x, int y, int z) {
           static_cast<octomap::key_type>(32768 + z)};
 }
 
+// A brick of which some voxels are hit and some passed.
+ScanGrid::Brick BrickAt(const octomap::OcTreeKey& corner, std::uint64_t seed, bool any_hit) {
+  std::mt19937_64 random(seed);
+  ScanGrid::Brick brick;
+  brick.corner = corner;
+  for (unsigned word = 0; word < 8; ++word) {
+    brick.hit[word] = any_hit ? random() & random() & random() : 0;
+    brick.free[word] = (random() | random()) & ~brick.hit[word];
+  }
+  return brick;
+}
+
+bool HasBit(const ScanGrid::Words& words, unsigned place) {
+  return words[place >> 6] >> (place & 63) & 1;
+}
+
+void IgnoreHit(SemanticNode&, bool, unsigned) {}
+
 TEST(TreeUpdaterTest, LeavesTheTreeAloneWithoutUpdates) {
   SemanticOcTree tree(0.1);
   { TreeUpdater updater(tree); }
   EXPECT_EQ(tree.getRoot(), nullptr);
 }
 
-// In any order of voxels, not only in that which is fast, it is OctoMap's updateNode().
+// In any order of bricks, not only in that which is fast, it is OctoMap's updateNode().
 TEST(TreeUpdaterTest, EqualsUpdatingVoxelByVoxel) {
   std::mt19937 random(9);
   SemanticOcTree tree(0.1), expected(0.1);
   tree.SetOccupancy({});
   expected.SetOccupancy({});
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 12; ++round) {
     TreeUpdater updater(tree);
-    for (int i = 0; i < 400; ++i) {
-      const auto key = Key(random() % 6, random() % 6, random() % 6);
-      if (random() % 4 == 0) {
-        bool was_occupied = false;
+    for (int i = 0; i < 12; ++i) {
+      const auto brick = BrickAt(Key(8 * static_cast<int>(random() % 3), 0, -8 * (i % 2)), random(),
+                                 random() % 3 == 0);
+      std::array<bool, 512> was_occupied{};
+      for (unsigned place = 0; place < 512; ++place) {
+        const octomap::OcTreeKey key = ScanLayout::KeyOf(brick.corner, place);
         const SemanticNode* before = expected.search(key);
-        const bool expected_before = before != nullptr && expected.isNodeOccupied(before);
-        updater.Hit(key, &was_occupied);
-        EXPECT_EQ(was_occupied, expected_before);
-        expected.updateNode(key, true);
-      } else {
-        updater.Miss(key);
-        expected.updateNode(key, false);
+        was_occupied[place] = before != nullptr && expected.isNodeOccupied(before);
+        if (HasBit(brick.hit, place)) expected.updateNode(key, true);
+        if (HasBit(brick.free, place)) expected.updateNode(key, false);
       }
+      updater.Update(brick, [&](SemanticNode&, bool occupied, unsigned place) {
+        EXPECT_TRUE(HasBit(brick.hit, place));
+        EXPECT_EQ(occupied, was_occupied[place]);
+      });
     }
   }
   EXPECT_TRUE(tree == expected);
@@ -47,10 +67,10 @@ TEST(TreeUpdaterTest, EqualsUpdatingVoxelByVoxel) {
 TEST(TreeUpdaterTest, DoesNotExpandABlockThatCanGetNoFreer) {
   SemanticOcTree tree(0.1);
   tree.SetOccupancy({});
-  const auto clear = [&] {
-    TreeUpdater updater(tree);
-    for (int i = 0; i < 512; ++i) updater.Miss(Key(i & 7, i >> 3 & 7, i >> 6));
-  };
+  ScanGrid::Brick brick;
+  brick.corner = Key(0, 0, 0);
+  brick.free.fill(~std::uint64_t{0});
+  const auto clear = [&] { TreeUpdater(tree).Update(brick, IgnoreHit); };
   for (int i = 0; i < 10; ++i) clear();
   const std::size_t joined = tree.size();
   EXPECT_EQ(joined, 14u);  // a path from the root to one block at depth 13
@@ -61,19 +81,21 @@ TEST(TreeUpdaterTest, DoesNotExpandABlockThatCanGetNoFreer) {
 TEST(TreeUpdaterTest, JoinsABlockAgainThatItHadToExpand) {
   SemanticOcTree tree(0.1);
   tree.SetOccupancy({});
-  for (int pass = 0; pass < 10; ++pass) {
-    TreeUpdater updater(tree);
-    for (int i = 0; i < 8; ++i) updater.Miss(Key(i & 1, i >> 1 & 1, i >> 2));
-  }
+  ScanGrid::Brick clear;
+  clear.corner = Key(0, 0, 0);
+  clear.free[0] = 0xff;  // the first eight voxels
+  for (int pass = 0; pass < 10; ++pass) TreeUpdater(tree).Update(clear, IgnoreHit);
   const std::size_t joined = tree.size();
-  {
-    TreeUpdater updater(tree);
-    bool was_occupied = true;
-    updater.Hit(Key(1, 0, 0), &was_occupied);
+  ScanGrid::Brick hit;
+  hit.corner = clear.corner;
+  hit.hit[0] = 2;
+  TreeUpdater(tree).Update(hit, [](SemanticNode&, bool was_occupied, unsigned place) {
     EXPECT_FALSE(was_occupied);
-  }
+    EXPECT_EQ(place, 1u);
+  });
   EXPECT_EQ(tree.size(), joined + 8);
-  for (int pass = 0; pass < 10; ++pass) TreeUpdater(tree).Miss(Key(1, 0, 0));
+  clear.free[0] = 2;
+  for (int pass = 0; pass < 10; ++pass) TreeUpdater(tree).Update(clear, IgnoreHit);
   EXPECT_EQ(tree.size(), joined);
 }
 

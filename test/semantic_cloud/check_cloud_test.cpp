@@ -30,6 +30,18 @@ TEST(CheckCloudTest, PassesWhatIsRight) {
   EXPECT_EQ(Refusal(empty), "");
 }
 
+TEST(CheckCloudTest, TellsWhatItHasSeen) {
+  SemanticCloud cloud = Cloud();
+  cloud.points[1].position = {-4, 5, 1};
+  const CloudContents contents = CheckSemanticCloud(cloud, kVocabulary);
+  LabelMask labels;
+  labels.set(0);
+  labels.set(3);
+  EXPECT_EQ(contents.labels, labels);
+  EXPECT_EQ(contents.around_m.min(), Eigen::Vector3f(-4, 0, 0));  // with the camera
+  EXPECT_EQ(contents.around_m.max(), Eigen::Vector3f(1, 5, 3));
+}
+
 TEST(CheckCloudTest, RefusesAnotherVocabulary) {
   SemanticCloud cloud = Cloud();
   cloud.vocabulary_hash ^= 1;

@@ -28,22 +28,6 @@ TEST(LabelDistributionTest, OthersAreWhatIsMissingToOne) {
   EXPECT_EQ(distribution.Probability(5), 0.0f);
 }
 
-TEST(LabelSumTest, TakesTheThreeHeaviestAndForgets) {
-  LabelSum sum;
-  sum.Add(7, 10);
-  sum.Add(3, 20);
-  sum.Add(9, 20);
-  sum.Add(7, 25);
-  sum.Add(200, 5);
-  sum.Add(kUnknownLabel, 20);
-  const LabelDistribution top = sum.Take(100);
-  EXPECT_EQ(top.labels, (std::array<LabelId, 3>{7, 3, 9}));
-  EXPECT_FLOAT_EQ(top.probabilities[0], 0.35f);
-  EXPECT_FLOAT_EQ(top.probabilities[1], 0.2f);
-  EXPECT_FLOAT_EQ(top.others(), 0.25f);
-  EXPECT_EQ(sum.Take(1).size(), 0);
-}
-
 TEST(CompactLabelsTest, KeepsWhatItWasGivenToHalfAStep) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);

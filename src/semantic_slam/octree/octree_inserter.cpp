@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
+
+#include <Eigen/Geometry>
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/octree/ray_walk.h"
+#include "semantic_slam/octree/tree_updater.h"
+#include "semantic_slam/semantic_cloud/point_lanes.h"
 
 namespace semantic_slam {
 namespace {
@@ -29,10 +34,6 @@ octomap::point3d ToPoint(const Eigen::Vector3d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-bool KeyLess(const octomap::OcTreeKey& a, const octomap::OcTreeKey& b) {
-  return std::lexicographical_compare(a.k, a.k + 3, b.k, b.k + 3);
-}
-
 octomap::key_type ClampedKey(const SemanticOcTree& tree, float coordinate) {
   const double cell = std::floor(coordinate / tree.getResolution()) + 32768.0;
   return static_cast<octomap::key_type>(std::clamp(cell, 0.0, 65535.0));
@@ -52,6 +53,159 @@ void Enter(const VoxelObservation& observation, bool was_occupied, const LabelFu
       CompactLabels(fusion.Fuse(node.labels().Unpacked(), observation.labels.Unpacked())));
 }
 
+// What Insert() takes, by index. Sample() leaves the place to the caller.
+class CloudPoints {
+ public:
+  CloudPoints(const std::vector<SemanticPoint>& points, const CloudContents& contents,
+              const LabelMask& transient)
+      : points_(points),
+        contents_(contents),
+        transient_(transient),
+        any_transient_((contents.labels & transient).any()) {}
+
+  std::size_t size() const { return points_.size(); }
+  const Eigen::Vector3f& Position(std::size_t i) const { return points_[i].position; }
+  bool IsOnlySeen(std::size_t i) const {
+    return any_transient_ && transient_[points_[i].labels[0]];
+  }
+
+  VoxelSums::Sample Sample(std::size_t i) const {
+    const PointLanes point(points_[i]);
+    VoxelSums::Sample sample;
+    sample.rgb = point.rgb();
+    sample.labels = point.labels();
+    sample.confidences = ToInts(point.confidences() * float{CompactLabels::kProbabilityOne} + 0.5f);
+    return sample;
+  }
+
+  const Eigen::AlignedBox3f& AroundM() const { return contents_.around_m; }
+  LabelMask Labels() const { return contents_.labels & ~transient_; }  // that count
+  std::uint64_t Count() const { return points_.size(); }
+
+ private:
+  const std::vector<SemanticPoint>& points_;
+  const CloudContents& contents_;
+  const LabelMask& transient_;
+  const bool any_transient_;
+};
+
+class ObservedPoints {
+ public:
+  explicit ObservedPoints(const std::vector<VoxelObservation>& observations)
+      : observations_(observations) {}
+
+  std::size_t size() const { return observations_.size(); }
+  const Eigen::Vector3f& Position(std::size_t i) const { return observations_[i].position; }
+  bool IsOnlySeen(std::size_t i) const { return observations_[i].is_only_seen; }
+
+  VoxelSums::Sample Sample(std::size_t i) const {
+    const VoxelObservation& observation = observations_[i];
+    VoxelSums::Sample sample;
+    const auto& [r, g, b] = observation.rgb;
+    sample.rgb = Ints4{r, g, b, 0};
+    const CompactLabels& labels = observation.labels;
+    sample.labels = labels.label(0) | std::uint32_t{labels.label(1)} << 8 |
+                    std::uint32_t{labels.label(2)} << 16;
+    sample.confidences = Ints4{0, labels.scaled_probability(0), labels.scaled_probability(1),
+                               labels.scaled_probability(2)};
+    sample.points = observation.points;
+    return sample;
+  }
+
+  Eigen::AlignedBox3f AroundM() const {
+    Eigen::AlignedBox3f around(Eigen::Vector3f::Zero().eval());
+    for (const VoxelObservation& observation : observations_) around.extend(observation.position);
+    return around;
+  }
+  LabelMask Labels() const {
+    LabelMask labels;
+    for (const VoxelObservation& observation : observations_) {
+      for (int k = 0; k < kTopLabels; ++k) labels.set(observation.labels.label(k));
+    }
+    return labels;
+  }
+  std::uint64_t Count() const {
+    std::uint64_t points = 0;
+    for (const VoxelObservation& observation : observations_) points += observation.points;
+    return points;
+  }
+
+ private:
+  const std::vector<VoxelObservation>& observations_;
+};
+
+constexpr ScanGrid::EndId kNowhere = std::numeric_limits<ScanGrid::EndId>::max();
+
+octomap::point3d InMap(const Rigid3d& T_map_camera, const Eigen::Vector3f& position) {
+  return ToPoint(T_map_camera * position.cast<double>());
+}
+
+// Finds the voxels of points that are near the camera. All axes at once (the fourth is idle) in
+// single precision, from the corner of the camera's voxel on, where numbers are small. Only where
+// that is too near a voxel's face to be sure it is worked out as OctoMap does.
+class VoxelFinder {
+ public:
+  // All points lie `around_m` the camera.
+  VoxelFinder(const Eigen::AlignedBox3f& around_m, const Rigid3d& T_map_camera,
+              const octomap::OcTreeKey& origin_key, const SemanticOcTree& tree)
+      : T_map_camera_(T_map_camera), tree_(tree) {
+    const double voxels_per_m = 1.0 / tree.getResolution();
+    const double farthest = around_m.diagonal().norm() * voxels_per_m;
+    unsure_ = static_cast<float>(std::max(farthest * kRounding, kLeastUnsure));
+    for (int i = 0; i < 3; ++i) {
+      for (int axis = 0; axis < 3; ++axis)
+        columns_[axis][i] = static_cast<float>(T_map_camera.linear()(i, axis) * voxels_per_m);
+      corner_[i] = origin_key[static_cast<unsigned>(i)];
+      offset_[i] = static_cast<float>(T_map_camera.translation()[i] * voxels_per_m -
+                                      (corner_[i] - kMiddleKey));
+    }
+    offset_[3] = 0.5f;
+  }
+
+  struct Voxel {
+    Ints4 key;    // beyond the tree's for points outside
+    Ints4 place;  // as VoxelSums takes it
+  };
+
+  Voxel Find(const Eigen::Vector3f& p) const {
+    const Floats4 at = columns_[0] * p.x() + columns_[1] * p.y() + columns_[2] * p.z() + offset_;
+    const Ints4 whole = Floor(at);
+    const Floats4 part = at - ToFloats(whole);
+    if (!All((part > unsure_) & (part < 1.0f - unsure_))) return FindExactly(p);
+    return {whole + corner_, ToInts(part * 256.0f)};
+  }
+
+ private:
+  static constexpr int kMiddleKey = 32768;  // of the voxel at the map's origin
+
+  // A product of single precision is rounded by 2^-24 of itself, and the sum of the four as often
+  // again; what is left is to spare.
+  static constexpr double kRounding = 1.0 / (1 << 20);
+  static constexpr double kLeastUnsure = 1.0 / 1024.0;
+
+  Voxel FindExactly(const Eigen::Vector3f& p) const {
+    const octomap::point3d point = InMap(T_map_camera_, p);
+    Voxel voxel{{-1, -1, -1, 0}, {}};
+    octomap::OcTreeKey key;
+    if (!tree_.coordToKeyChecked(point, key)) return voxel;
+    for (unsigned i = 0; i < 3; ++i) {
+      const double part =
+          point(i) / tree_.getResolution() - (static_cast<int>(key[i]) - kMiddleKey);
+      voxel.key[i] = key[i];
+      voxel.place[i] =
+          static_cast<std::uint8_t>(std::clamp(static_cast<int>(part * 256.0), 0, 255));
+    }
+    return voxel;
+  }
+
+  const Rigid3d& T_map_camera_;
+  const SemanticOcTree& tree_;
+  std::array<Floats4, 3> columns_{};
+  Floats4 offset_{};
+  Ints4 corner_{};
+  float unsure_;  // nearer to a face [voxels] rounding may tell the wrong voxel
+};
+
 }  // namespace
 
 void CheckRangeInVoxels(const OctreeInserterOptions& options, double resolution_m) {
@@ -64,155 +218,180 @@ void CheckRangeInVoxels(const OctreeInserterOptions& options, double resolution_
 OctreeInserter::OctreeInserter(const OctreeInserterOptions& options, const LabelFusion& fusion)
     : options_(Checked(options)), fusion_(fusion) {}
 
-std::vector<VoxelObservation> OctreeInserter::Insert(const Observations& observations,
-                                                     const Rigid3d& T_map_camera,
-                                                     SemanticOcTree& tree) {
+const std::vector<VoxelObservation>& OctreeInserter::Insert(
+    const std::vector<SemanticPoint>& points, const CloudContents& contents,
+    const LabelMask& transient, const Rigid3d& T_map_camera, SemanticOcTree& tree) {
+  return InsertPoints(CloudPoints(points, contents, transient), T_map_camera, tree);
+}
+
+const std::vector<VoxelObservation>& OctreeInserter::Insert(const Observations& observations,
+                                                            const Rigid3d& T_map_camera,
+                                                            SemanticOcTree& tree) {
+  return InsertPoints(ObservedPoints(observations), T_map_camera, tree);
+}
+
+template <typename Points>
+const OctreeInserter::Observations& OctreeInserter::InsertPoints(const Points& points,
+                                                                 const Rigid3d& T_map_camera,
+                                                                 SemanticOcTree& tree) {
   CheckInRange(
       "max_clear_range_m in voxels",
       std::max(options_.max_clear_range_m, options_.max_hit_range_m) / tree.getResolution(), 0.0,
       kMaxRangeVoxels);
-  Locate(observations, T_map_camera, tree);
-  ResetGrid(tree);
-  SortByVoxel();
-  Observations combined;
-  combined.reserve(slot_ends_.size());
-  const std::uint32_t* const points = sorted_.data();
-  for (std::size_t begin = 0, end = 0; begin < sorted_.size(); begin = end) {
-    const octomap::OcTreeKey& key = located_[points[begin]].key;
-    while (end < sorted_.size() && located_[points[end]].key == key) ++end;
-    InsertVoxel(points + begin, points + end, observations, tree, combined);
-  }
-  UpdateTree(combined, tree);
-  return combined;
+  SetOrigin(T_map_camera, tree);
+  ResetGrid(points.AroundM(), T_map_camera, tree);
+  SumUp(points, T_map_camera, tree);
+  Combine(T_map_camera, tree);
+  MarkRays(tree);
+  UpdateTree(tree);
+  return combined_;
 }
 
-void OctreeInserter::Locate(const Observations& observations, const Rigid3d& T_map_camera,
-                            const SemanticOcTree& tree) {
+void OctreeInserter::SetOrigin(const Rigid3d& T_map_camera, const SemanticOcTree& tree) {
   origin_ = ToPoint(T_map_camera.translation());
-  if (!IsFinite(T_map_camera) || !tree.coordToKeyChecked(origin_, origin_key_)) {
-    std::ostringstream what;
-    what << "camera at " << T_map_camera.translation().transpose()
-         << " m is outside of the octree, which reaches " << 32768 * tree.getResolution()
-         << " m from the origin";
-    throw InputError(what.str());
-  }
-  lowest_z_ = ClampedKey(tree, static_cast<float>(options_.min_z_m));
-  highest_z_ = ClampedKey(tree, static_cast<float>(options_.max_z_m));
-  located_.clear();
-  located_.reserve(observations.size());
-  for (std::uint32_t i = 0; i < observations.size(); ++i) {
-    Located point{ToPoint(T_map_camera * observations[i].position.cast<double>()), {}, i};
-    if (tree.coordToKeyChecked(point.position, point.key)) located_.push_back(point);
-  }
+  if (IsFinite(T_map_camera) && tree.coordToKeyChecked(origin_, origin_key_)) return;
+  std::ostringstream what;
+  what << "camera at " << T_map_camera.translation().transpose()
+       << " m is outside of the octree, which reaches " << 32768 * tree.getResolution()
+       << " m from the origin";
+  throw InputError(what.str());
 }
 
-// The grid covers the box around the camera and the points, as far as any ray may go.
-void OctreeInserter::ResetGrid(const SemanticOcTree& tree) {
-  const auto reach =
-      static_cast<float>(std::max(options_.max_clear_range_m, options_.max_hit_range_m));
-  octomap::point3d low = origin_, high = origin_;
-  for (const Located& point : located_) {
-    for (unsigned i = 0; i < 3; ++i) {
-      low(i) = std::min(low(i), point.position(i));
-      high(i) = std::max(high(i), point.position(i));
-    }
+// The grid covers a box around the camera and the points, as far as any ray may go.
+void OctreeInserter::ResetGrid(const Eigen::AlignedBox3f& around_m, const Rigid3d& T_map_camera,
+                               const SemanticOcTree& tree) {
+  Eigen::AlignedBox3d box;
+  for (int i = 0; i < 8; ++i) {
+    box.extend(T_map_camera *
+               around_m.corner(static_cast<Eigen::AlignedBox3f::CornerType>(i)).cast<double>());
   }
+  const double reach = std::max(options_.max_clear_range_m, options_.max_hit_range_m);
   octomap::OcTreeKey lowest, highest;
-  for (unsigned i = 0; i < 3; ++i) {
-    lowest[i] = ClampedKey(tree, std::max(low(i), origin_(i) - reach));
-    highest[i] = ClampedKey(tree, std::min(high(i), origin_(i) + reach));
+  for (int i = 0; i < 3; ++i) {
+    const double middle = T_map_camera.translation()[i];
+    lowest[i] = ClampedKey(tree, static_cast<float>(std::max(box.min()[i], middle - reach)));
+    highest[i] = ClampedKey(tree, static_cast<float>(std::min(box.max()[i], middle + reach)));
   }
   grid_.Reset(lowest, highest);
 }
 
-// Brings the points of each voxel together: those on the grid in Morton order, by counting, then,
-// few as a rule, those out of reach.
-void OctreeInserter::SortByVoxel() {
-  std::vector<std::uint32_t> out_of_reach;
-  const auto count = static_cast<std::uint32_t>(located_.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (grid_.Covers(located_[i].key)) {
-      grid_.MarkEnd(located_[i].key);
-    } else {
-      out_of_reach.push_back(i);
+// Neighbouring points often lie in one voxel, or by noise in one of two, which then need not be
+// looked up again.
+template <typename Points>
+void OctreeInserter::SumUp(const Points& points, const Rigid3d& T_map_camera,
+                           const SemanticOcTree& tree) {
+  const VoxelFinder finder(points.AroundM(), T_map_camera, origin_key_, tree);
+  sums_.Reset(points.Labels(), points.Count());
+  is_seen_through_.clear();
+  out_of_reach_.clear();
+  VoxelSums::Adder adder(sums_);
+  Ints4 last_key{-1, -1, -1, 0}, key_before = last_key;
+  ScanGrid::EndId end = kNowhere, end_before = kNowhere;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const VoxelFinder::Voxel voxel = finder.Find(points.Position(i));
+    if (!All(voxel.key == last_key)) {
+      std::swap(last_key, key_before);
+      std::swap(end, end_before);
+      if (!All(voxel.key == last_key)) {
+        last_key = voxel.key;
+        end = AddEnd({last_key[0], last_key[1], last_key[2]});
+      }
     }
-  }
-  const std::uint32_t slots = grid_.AssignSlots();
-  slots_.assign(count, slots);  // one more, for what is out of reach
-  slot_ends_.assign(slots + 2, 0);
-  for (std::uint32_t i = 0, next = 0; i < count; ++i) {
-    if (next < out_of_reach.size() && out_of_reach[next] == i) {
-      ++next;
-    } else {
-      slots_[i] = grid_.SlotOf(located_[i].key);
+    if (end == kNowhere) continue;
+    if (points.IsOnlySeen(i)) {
+      is_seen_through_[end] = true;
+      continue;
     }
-    ++slot_ends_[slots_[i] + 1];
+    VoxelSums::Sample sample = points.Sample(i);
+    sample.place = voxel.place;
+    adder.Add(end, sample);
   }
-  for (std::uint32_t i = 0; i <= slots; ++i) slot_ends_[i + 1] += slot_ends_[i];
-  sorted_.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) sorted_[slot_ends_[slots_[i]]++] = i;
-  std::stable_sort(sorted_.end() - static_cast<std::ptrdiff_t>(out_of_reach.size()), sorted_.end(),
-                   [this](std::uint32_t a, std::uint32_t b) {
-                     return KeyLess(located_[a].key, located_[b].key);
-                   });
-  hit_of_slot_.assign(slots, 0);
+  adder.Finish();
 }
 
-void OctreeInserter::InsertVoxel(const std::uint32_t* begin, const std::uint32_t* end,
-                                 const Observations& observations, const SemanticOcTree& tree,
-                                 Observations& combined) {
-  const octomap::OcTreeKey key = located_[*begin].key;
-  const octomap::point3d centre = tree.keyToCoord(key);
-  for (const std::uint32_t* i = begin; i != end; ++i) {
-    const VoxelObservation& observation = observations[located_[*i].index];
-    const auto distance = static_cast<float>((located_[*i].position - centre).norm());
-    (observation.is_transient ? transient_ : steady_).Add(observation, distance);
+// kNowhere for what is outside of the tree or, which is noted, of the grid.
+ScanGrid::EndId OctreeInserter::AddEnd(const std::array<int, 3>& key) {
+  for (const int k : key) {
+    if (k < 0 || k > 65535) return kNowhere;
   }
-  const octomap::point3d offset = centre - origin_;
-  if (!steady_.empty()) {
-    if (offset.norm() <= options_.max_hit_range_m && IsInside(centre)) {
-      grid_.MarkHit(key);
-      hit_of_slot_[grid_.SlotOf(key)] = static_cast<std::uint32_t>(combined.size());
-    }
-    combined.push_back(steady_.Take());
+  const octomap::OcTreeKey tree_key(static_cast<octomap::key_type>(key[0]),
+                                    static_cast<octomap::key_type>(key[1]),
+                                    static_cast<octomap::key_type>(key[2]));
+  if (!grid_.layout().Covers(tree_key)) {
+    out_of_reach_.push_back(tree_key);
+    return kNowhere;
   }
-  if (!transient_.empty()) {
-    combined.push_back(transient_.Take());
-    combined.back().is_transient = true;
+  const ScanGrid::EndId end = grid_.AddEnd(tree_key);
+  if (end == is_seen_through_.size()) {
+    is_seen_through_.push_back(false);
+    sums_.AddVoxel();
   }
-  const bool whole_ray = offset.norm() <= options_.max_clear_range_m;
-  MarkRay(whole_ray
-              ? centre
-              : origin_ + offset.normalized() * static_cast<float>(options_.max_clear_range_m),
-          tree);
+  return end;
 }
 
-void OctreeInserter::MarkRay(const octomap::point3d& end, const SemanticOcTree& tree) {
+void OctreeInserter::Combine(const Rigid3d& T_map_camera, const SemanticOcTree& tree) {
+  const Rigid3d T_camera_map = T_map_camera.inverse();
+  const double resolution_m = tree.getResolution();
+  combined_.clear();
+  ray_ends_.clear();
+  combined_of_.resize(grid_.ends());
+  const auto add_only_seen = [&](const octomap::point3d& centre) {
+    const Eigen::Vector3d in_map(centre.x(), centre.y(), centre.z());
+    combined_.push_back({(T_camera_map * in_map).cast<float>(), {}, {}, 1, true});
+  };
+  grid_.ForEachEnd([&](ScanGrid::EndId end, const octomap::OcTreeKey& key, ScanGrid::BitId bit) {
+    const octomap::point3d centre = tree.keyToCoord(key);
+    const bool in_range = (centre - origin_).norm() <= options_.max_hit_range_m;
+    if (in_range && !sums_.IsEmpty(end)) {
+      const VoxelSums::Mean mean = sums_.MeanOf(end);
+      Eigen::Vector3d in_map;
+      for (int i = 0; i < 3; ++i)
+        in_map[i] = (static_cast<int>(key[i]) - 32768 + double{mean.place[i]}) * resolution_m;
+      if (IsInside(centre)) grid_.MarkHit(bit);
+      combined_of_[end] = static_cast<std::uint32_t>(combined_.size());
+      combined_.push_back(
+          {(T_camera_map * in_map).cast<float>(), mean.rgb, mean.labels, mean.points, false});
+    }
+    if (!in_range || is_seen_through_[end]) add_only_seen(centre);
+    ray_ends_.push_back(RayEnd(centre));
+  });
+  std::sort(out_of_reach_.begin(), out_of_reach_.end(), [](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.k, a.k + 3, b.k, b.k + 3);
+  });
+  out_of_reach_.erase(std::unique(out_of_reach_.begin(), out_of_reach_.end()), out_of_reach_.end());
+  for (const octomap::OcTreeKey& key : out_of_reach_) {
+    const octomap::point3d centre = tree.keyToCoord(key);
+    add_only_seen(centre);
+    ray_ends_.push_back(RayEnd(centre));
+  }
+}
+
+void OctreeInserter::MarkRays(const SemanticOcTree& tree) {
+  rays_.Reset(grid_.layout(), tree);
   octomap::OcTreeKey end_key;
-  if (!tree.coordToKeyChecked(end, end_key)) return;
-  ScanGrid::Brick* brick = nullptr;
-  int brick_x = -1, brick_y = -1, brick_z = -1;
-  RayWalk(tree, origin_, origin_key_, end).ForEachVoxel([&](int x, int y, int z) {
-    if (z < lowest_z_ || z > highest_z_) return;
-    if (x >> 3 != brick_x || y >> 3 != brick_y || z >> 3 != brick_z) {
-      brick_x = x >> 3, brick_y = y >> 3, brick_z = z >> 3;
-      brick = &grid_.BrickAt(x, y, z);
-    }
-    ScanGrid::MarkFree(*brick, x, y, z);
+  for (const octomap::point3d& end : ray_ends_) {
+    if (!tree.coordToKeyChecked(end, end_key)) continue;
+    rays_.Mark(RayWalk(tree, origin_, origin_key_, end));
+  }
+  grid_.AddFree(rays_);
+}
+
+void OctreeInserter::UpdateTree(SemanticOcTree& tree) {
+  grid_.LimitHeight(ClampedKey(tree, static_cast<float>(options_.min_z_m)),
+                    ClampedKey(tree, static_cast<float>(options_.max_z_m)));
+  TreeUpdater updater(tree);
+  grid_.ForEachBrick([&](const ScanGrid::Brick& brick) {
+    updater.Update(brick, [&](SemanticNode& node, bool was_occupied, unsigned place) {
+      Enter(combined_[combined_of_[grid_.EndAt(brick, place)]], was_occupied, fusion_, node);
+    });
   });
 }
 
-void OctreeInserter::UpdateTree(const Observations& combined, SemanticOcTree& tree) {
-  TreeUpdater updater(tree);
-  grid_.ForEachUpdate([&](const octomap::OcTreeKey& key, bool is_hit, std::uint32_t slot) {
-    if (!is_hit) {
-      updater.Miss(key);
-      return;
-    }
-    bool was_occupied = false;
-    SemanticNode& node = updater.Hit(key, &was_occupied);
-    Enter(combined[hit_of_slot_[slot]], was_occupied, fusion_, node);
-  });
+// The voxel's centre, or as far on the way to it as rays free voxels.
+octomap::point3d OctreeInserter::RayEnd(const octomap::point3d& centre) const {
+  const octomap::point3d offset = centre - origin_;
+  if (offset.norm() <= options_.max_clear_range_m) return centre;
+  return origin_ + offset.normalized() * static_cast<float>(options_.max_clear_range_m);
 }
 
 bool OctreeInserter::IsInside(const octomap::point3d& centre) const {

@@ -5,11 +5,14 @@
 
 #include "semantic_slam/common/options.h"
 #include "semantic_slam/common/transform.h"
+#include "semantic_slam/octree/ray_layer.h"
 #include "semantic_slam/octree/scan_grid.h"
 #include "semantic_slam/octree/semantic_octree.h"
-#include "semantic_slam/octree/tree_updater.h"
+#include "semantic_slam/semantic_cloud/check_cloud.h"
+#include "semantic_slam/semantic_cloud/semantic_cloud.h"
 #include "semantic_slam/semantic_fusion/label_fusion.h"
 #include "semantic_slam/semantic_fusion/voxel_observation.h"
+#include "semantic_slam/semantic_fusion/voxel_sums.h"
 
 namespace semantic_slam {
 
@@ -39,39 +42,45 @@ class OctreeInserter {
   // Throws ConfigError if an option is out of range, or the z limits leave nothing.
   OctreeInserter(const OctreeInserterOptions& options, const LabelFusion& fusion);
 
-  // `observations` are in the camera's optical frame. Returns one observation for each voxel that
-  // has any (one more if some of its points are transient), from which the same insertion can be
-  // repeated, also at a corrected pose.
+  // `points` are in the camera's optical frame. Those whose most probable label is in `transient`
+  // are only seen; the others say nothing of such labels, so that no map ever shows one. Returns
+  // one observation for each voxel with points, one more if some are only seen, from which the same
+  // insertion can be repeated, also at a corrected pose; they are valid until the next call.
   //
   // The occupancy of every voxel becomes, to the bit, what octomap's insertPointCloud(points,
   // origin, range, lazy, discretize) makes of it if both ranges are equal, nothing is transient and
   // z is not limited: end points are voxel centres, each is one ray, and hits win over rays.
   //
   // Points that are outside of the tree's 65536 voxels are left out. Throws InputError if the
-  // camera is, or if the pose is not finite; the tree stays as it is then. Precondition:
-  // CheckRangeInVoxels() passes.
-  std::vector<VoxelObservation> Insert(const std::vector<VoxelObservation>& observations,
-                                       const Rigid3d& T_map_camera, SemanticOcTree& tree);
+  // camera is, or if the pose is not finite; the tree stays as it is then. Preconditions:
+  // CheckRangeInVoxels() passes, and `contents` is what CheckSemanticCloud() has found.
+  const std::vector<VoxelObservation>& Insert(const std::vector<SemanticPoint>& points,
+                                              const CloudContents& contents,
+                                              const LabelMask& transient,
+                                              const Rigid3d& T_map_camera, SemanticOcTree& tree);
+  const std::vector<VoxelObservation>& Insert(const std::vector<VoxelObservation>& observations,
+                                              const Rigid3d& T_map_camera, SemanticOcTree& tree);
 
  private:
-  // An observation in the map.
-  struct Located {
-    octomap::point3d position;
-    octomap::OcTreeKey key;
-    std::uint32_t index;  // into the observations
-  };
   using Observations = std::vector<VoxelObservation>;
 
-  void Locate(const Observations& observations, const Rigid3d& T_map_camera,
-              const SemanticOcTree& tree);
-  void ResetGrid(const SemanticOcTree& tree);
-  void SortByVoxel();
-  // Of the voxel with the points located_[*begin] to located_[*(end - 1)].
-  void InsertVoxel(const std::uint32_t* begin, const std::uint32_t* end,
-                   const Observations& observations, const SemanticOcTree& tree,
-                   Observations& combined);
-  void MarkRay(const octomap::point3d& end, const SemanticOcTree& tree);
-  void UpdateTree(const Observations& combined, SemanticOcTree& tree);
+  // `Points` is read by index; see the source.
+  template <typename Points>
+  const Observations& InsertPoints(const Points& points, const Rigid3d& T_map_camera,
+                                   SemanticOcTree& tree);
+
+  void SetOrigin(const Rigid3d& T_map_camera, const SemanticOcTree& tree);
+  void ResetGrid(const Eigen::AlignedBox3f& around_m, const Rigid3d& T_map_camera,
+                 const SemanticOcTree& tree);
+  template <typename Points>
+  void SumUp(const Points& points, const Rigid3d& T_map_camera, const SemanticOcTree& tree);
+  ScanGrid::EndId AddEnd(const std::array<int, 3>& key);
+  // Judges every voxel with points, and says where rays end.
+  void Combine(const Rigid3d& T_map_camera, const SemanticOcTree& tree);
+  void MarkRays(const SemanticOcTree& tree);
+  void UpdateTree(SemanticOcTree& tree);
+
+  octomap::point3d RayEnd(const octomap::point3d& centre) const;
   bool IsInside(const octomap::point3d& centre) const;
 
   const OctreeInserterOptions options_;
@@ -80,16 +89,14 @@ class OctreeInserter {
   // Of the scan at hand, here to keep their memory.
   octomap::point3d origin_;
   octomap::OcTreeKey origin_key_;
-  int lowest_z_ = 0;  // keys
-  int highest_z_ = 0;
-  std::vector<Located> located_;
-  std::vector<std::uint32_t> sorted_;       // into located_, voxel by voxel
-  std::vector<std::uint32_t> slots_;        // of located_; of those that the grid covers
-  std::vector<std::uint32_t> slot_ends_;    // into sorted_
-  std::vector<std::uint32_t> hit_of_slot_;  // into what Insert() returns
   ScanGrid grid_;
-  ObservationCombiner steady_;
-  ObservationCombiner transient_;
+  RayLayer rays_;
+  VoxelSums sums_;
+  std::vector<bool> is_seen_through_;             // by end: nothing stays there
+  std::vector<octomap::OcTreeKey> out_of_reach_;  // of points that the grid does not cover
+  std::vector<octomap::point3d> ray_ends_;
+  Observations combined_;                   // what Insert() returns
+  std::vector<std::uint32_t> combined_of_;  // into combined_
 };
 
 }  // namespace semantic_slam

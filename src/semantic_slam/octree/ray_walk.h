@@ -35,7 +35,7 @@ class RayWalk {
     }
   }
 
-  // Calls visit(x, y, z) with the keys from the origin's voxel on, without the end's.
+  // Calls visit(x, y, z) with the keys from the voxel where it stands on, without the end's.
   template <typename Visit>
   void ForEachVoxel(Visit&& visit) {
     if (IsAtEnd()) return;
@@ -49,19 +49,32 @@ class RayWalk {
     } while (!IsAtEnd() && !(std::min(std::min(next_[0], next_[1]), next_[2]) > length_));
   }
 
- private:
-  static constexpr double kNever = std::numeric_limits<double>::max();
-
   bool IsAtEnd() const {
     return key_[0] == end_key_[0] && key_[1] == end_key_[1] && key_[2] == end_key_[2];
   }
 
+  // Where it stands, for who walks it in another way.
+  struct Axis {
+    int key;
+    int end_key;
+    int step;      // -1, 0 or 1
+    double next;   // where the ray leaves the voxel along this axis [m]
+    double delta;  // from one border to the next [m]
+  };
+  Axis axis(int i) const { return {key_[i], end_key_[i], step_[i], next_[i], delta_[i]}; }
+  void Set(int i, int key, double next) {
+    key_[i] = key;
+    next_[i] = next;
+  }
+
+ private:
+  static constexpr double kNever = std::numeric_limits<double>::max();
+
   const octomap::OcTreeKey end_key_;
   std::array<int, 3> key_;
   std::array<int, 3> step_{};
-  std::array<double, 3> next_{kNever, kNever,
-                              kNever};  // where the ray leaves the voxel along each axis [m]
-  std::array<double, 3> delta_{kNever, kNever, kNever};  // from one border to the next [m]
+  std::array<double, 3> next_{kNever, kNever, kNever};
+  std::array<double, 3> delta_{kNever, kNever, kNever};
   float length_ = 0.0f;
 };
 

@@ -1,13 +1,9 @@
 #include "semantic_slam/octree/scan_grid.h"
 
 #include <algorithm>
-#include <cassert>
 
 namespace semantic_slam {
 namespace {
-
-// A ray's last steps may stray by a voxel, by rounding.
-constexpr int kMarginVoxels = 2;
 
 // The lowest 16 bits of `value`, three apart.
 std::uint64_t Spread(int value) {
@@ -21,54 +17,55 @@ std::uint64_t Spread(int value) {
 }  // namespace
 
 void ScanGrid::Reset(const octomap::OcTreeKey& lowest, const octomap::OcTreeKey& highest) {
-  std::size_t cells = 1;
-  for (int i = 0; i < 3; ++i) {
-    first_[i] = std::max(lowest[i] - kMarginVoxels, 0) >> 3;
-    count_[i] = (std::min(highest[i] + kMarginVoxels, 65535) >> 3) - first_[i] + 1;
-    cells *= static_cast<std::size_t>(count_[i]);
-  }
-  index_.assign(cells, -1);
+  layout_.Reset(lowest, highest);
+  index_.assign(layout_.bricks(), -1);
   bricks_.clear();
-  places_.clear();
+  end_ids_.clear();
+  ends_ = 0;
+  order_.clear();
+  is_sorted_ = true;
 }
 
-bool ScanGrid::Covers(const octomap::OcTreeKey& key) const {
-  for (int i = 0; i < 3; ++i) {
-    const int brick = (key[i] >> 3) - first_[i];
-    if (brick < 0 || brick >= count_[i]) return false;
-  }
-  return true;
+void ScanGrid::AddBrick(std::size_t number) {
+  const auto index = static_cast<std::uint32_t>(bricks_.size());
+  index_[number] = static_cast<std::int32_t>(index);
+  bricks_.emplace_back();
+  const octomap::OcTreeKey corner = bricks_.back().corner = layout_.CornerOf(number);
+  order_.push_back(
+      {Spread(corner[0] >> 3) | Spread(corner[1] >> 3) << 1 | Spread(corner[2] >> 3) << 2, index});
+  is_sorted_ = false;
 }
 
-ScanGrid::Brick& ScanGrid::BrickAt(int x, int y, int z) {
-  const int bx = (x >> 3) - first_[0], by = (y >> 3) - first_[1], bz = (z >> 3) - first_[2];
-  assert(bx >= 0 && bx < count_[0] && by >= 0 && by < count_[1] && bz >= 0 && bz < count_[2]);
-  std::int32_t& index = index_[(static_cast<std::size_t>(bx) * count_[1] + by) * count_[2] + bz];
-  if (index < 0) {
-    index = static_cast<std::int32_t>(bricks_.size());
-    bricks_.emplace_back();
-    places_.push_back({Spread(x >> 3) | Spread(y >> 3) << 1 | Spread(z >> 3) << 2,
-                       {x & ~7, y & ~7, z & ~7},
-                       static_cast<std::uint32_t>(index)});
-  }
-  return bricks_[index];
+void ScanGrid::AddEndIds(Brick& brick) {
+  brick.end_ids = static_cast<std::int32_t>(end_ids_.size());
+  end_ids_.emplace_back();
 }
 
-std::uint32_t ScanGrid::AssignSlots() {
-  SortBricks();
-  std::uint32_t slots = 0;
-  for (const Place& place : places_) {
-    Brick& brick = bricks_[place.index];
-    for (int word = 0; word < 8; ++word) {
-      brick.first_slot[word] = slots;
-      slots += static_cast<std::uint32_t>(__builtin_popcountll(brick.end[word]));
+void ScanGrid::AddFree(const RayLayer& rays) {
+  rays.ForEachBrick([this](std::uint32_t number, const Words& words) {
+    Brick& brick = bricks_[BrickAt(number)];
+    for (unsigned word = 0; word < 8; ++word) brick.free[word] |= words[word];
+  });
+}
+
+void ScanGrid::LimitHeight(int lowest_key, int highest_key) {
+  for (Brick& brick : bricks_) {
+    const int low = brick.corner[2];
+    if (low >= lowest_key && low + 7 <= highest_key) continue;
+    for (unsigned place = 0; place < ScanLayout::kBrickVoxels; ++place) {
+      const int z = ScanLayout::KeyOf(brick.corner, place)[2];
+      if (z >= lowest_key && z <= highest_key) continue;
+      const std::uint64_t others = ~(std::uint64_t{1} << (place & 63));
+      brick.free[place >> 6] &= others;
+      brick.hit[place >> 6] &= others;
     }
   }
-  return slots;
 }
 
 void ScanGrid::SortBricks() {
-  std::sort(places_.begin(), places_.end());
+  if (is_sorted_) return;
+  std::sort(order_.begin(), order_.end());
+  is_sorted_ = true;
 }
 
 }  // namespace semantic_slam

@@ -5,102 +5,130 @@
 #include <cstdint>
 #include <vector>
 
-#include <octomap/octomap_types.h>
-
-#include <octomap/OcTreeKey.h>  // needs what the one above includes
+#include "semantic_slam/octree/ray_layer.h"
+#include "semantic_slam/octree/scan_layout.h"
 
 namespace semantic_slam {
 
-// Which voxels one scan touches: bits on a grid of bricks (8 x 8 x 8 voxels) around the sensor.
-// Bricks, and the voxels in them, are in Morton order, the order in which an octree lies in memory,
-// so that writing the scan into a tree is one walk over it. Reusable; not thread-safe.
+// What one scan says of the voxels around the sensor: bits in bricks of 8 x 8 x 8 voxels. Bricks,
+// and the voxels in them, are read in Morton order, the order in which an octree lies in memory, so
+// that writing the scan into a tree is one walk over it. Reusable; not thread-safe.
 class ScanGrid {
  public:
+  using Words = std::array<std::uint64_t, 8>;  // a bit per voxel of a brick
+
+  // A voxel by where its bits are: brick in the grid, and place in the brick.
+  using BitId = std::uint32_t;
+
+  // A voxel with a measurement in it: the how manieth such one it was.
+  using EndId = std::uint32_t;
+
   struct Brick {
-    std::array<std::uint64_t, 8> free{};  // a ray passes
-    std::array<std::uint64_t, 8> hit{};   // something is there
-    std::array<std::uint64_t, 8>
-        end{};  // a measurement lies there, whether it counts as a hit or not
-    std::array<std::uint32_t, 8> first_slot{};  // of each word of `end`
+    octomap::OcTreeKey corner;
+    Words free{};               // a ray passes
+    Words hit{};                // something is there
+    Words end{};                // a measurement lies there, whether it counts as a hit or not
+    std::int32_t end_ids = -1;  // which block of numbers is its ends'; -1: none
   };
 
-  // Forgets everything. The grid covers the voxels from `lowest` to `highest`, and some around
-  // them.
+  // Forgets everything.
   void Reset(const octomap::OcTreeKey& lowest, const octomap::OcTreeKey& highest);
 
-  bool Covers(const octomap::OcTreeKey& key) const;
+  const ScanLayout& layout() const { return layout_; }
 
-  // Preconditions of all below: Covers(key).
-  void MarkEnd(const octomap::OcTreeKey& key) { Mark(key, &Brick::end); }
-  void MarkHit(const octomap::OcTreeKey& key) { Mark(key, &Brick::hit); }
-  Brick& BrickAt(int x, int y, int z);
-  static void MarkFree(Brick& brick, int x, int y, int z) {
-    const unsigned bit = BitOf(x, y, z);
-    brick.free[bit >> 6] |= std::uint64_t{1} << (bit & 63);
+  // Precondition: the layout covers the key.
+  EndId AddEnd(const octomap::OcTreeKey& key) {
+    const ScanLayout::Number number = layout_.NumberOf(key);
+    const unsigned place = number & (ScanLayout::kBrickVoxels - 1);
+    Brick& brick = bricks_[BrickAt(number >> ScanLayout::kBrickBits)];
+    if (brick.end_ids < 0) AddEndIds(brick);
+    EndId& id = end_ids_[static_cast<std::size_t>(brick.end_ids)][place];
+    std::uint64_t& word = brick.end[place >> 6];
+    const std::uint64_t bit = std::uint64_t{1} << (place & 63);
+    if ((word & bit) == 0) {
+      word |= bit;
+      id = ends_++;
+    }
+    return id;
   }
 
-  // Numbers the voxels marked as ends, in Morton order; returns how many there are. Then SlotOf()
-  // tells an end's number. No further end may be marked.
-  std::uint32_t AssignSlots();
-  std::uint32_t SlotOf(const octomap::OcTreeKey& key) {
-    return Slot(BrickAt(key[0], key[1], key[2]), BitOf(key[0], key[1], key[2]));
+  // How many ends there are.
+  EndId ends() const { return ends_; }
+
+  // Precondition: a measurement lies at that place in the brick.
+  EndId EndAt(const Brick& brick, unsigned place) const {
+    return end_ids_[static_cast<std::size_t>(brick.end_ids)][place];
   }
 
-  // Calls visit(key, is_hit, slot) for every free or hit voxel in Morton order; a voxel that is
-  // both is a hit. `slot` is only meaningful for hits.
+  // Calls visit(end, key, bit) for every end, in Morton order.
   template <typename Visit>
-  void ForEachUpdate(Visit&& visit);
+  void ForEachEnd(Visit&& visit);
+  void MarkHit(BitId bit) {
+    const unsigned place = bit & (ScanLayout::kBrickVoxels - 1);
+    bricks_[bit >> ScanLayout::kBrickBits].hit[place >> 6] |= std::uint64_t{1} << (place & 63);
+  }
+
+  // What rays have passed is free. Each bit counts once, however many layers have it.
+  void AddFree(const RayLayer& rays);
+
+  // Takes out whatever is free or hit at other heights.
+  void LimitHeight(int lowest_key, int highest_key);
+
+  // Calls visit(brick) for every brick in which something is free or hit, in Morton order. What is
+  // both is only a hit.
+  template <typename Visit>
+  void ForEachBrick(Visit&& visit);
 
  private:
   struct Place {
     std::uint64_t morton;  // of the brick
-    std::array<int, 3> corner;
-    std::uint32_t index;  // into bricks_
+    std::uint32_t index;   // into bricks_
     bool operator<(const Place& other) const { return morton < other.morton; }
   };
 
-  static constexpr std::array<std::uint16_t, 8> kSpread{0,  1,  8,  9,
-                                                        64, 65, 72, 73};  // bits apart by three
-  static unsigned BitOf(int x, int y, int z) {
-    return kSpread[x & 7] | kSpread[y & 7] << 1 | kSpread[z & 7] << 2;
+  std::uint32_t BrickAt(std::size_t number) {
+    if (index_[number] < 0) AddBrick(number);
+    return static_cast<std::uint32_t>(index_[number]);
   }
-  // Every third bit of nine, closed up.
-  static int Gather(unsigned bits) { return (bits & 1) | (bits >> 2 & 2) | (bits >> 4 & 4); }
-  static std::uint32_t Slot(const Brick& brick, unsigned bit) {
-    const std::uint64_t before = (std::uint64_t{1} << (bit & 63)) - 1;
-    return brick.first_slot[bit >> 6] +
-           static_cast<std::uint32_t>(__builtin_popcountll(brick.end[bit >> 6] & before));
-  }
-
-  void Mark(const octomap::OcTreeKey& key, std::array<std::uint64_t, 8> Brick::*layer) {
-    const unsigned bit = BitOf(key[0], key[1], key[2]);
-    (BrickAt(key[0], key[1], key[2]).*layer)[bit >> 6] |= std::uint64_t{1} << (bit & 63);
-  }
+  void AddBrick(std::size_t number);
+  void AddEndIds(Brick& brick);
   void SortBricks();
 
-  std::array<int, 3> first_{};       // brick coordinates of the lowest corner
-  std::array<int, 3> count_{};       // bricks along each axis
-  std::vector<std::int32_t> index_;  // by brick: into bricks_, or -1
+  ScanLayout layout_;
+  std::vector<std::int32_t> index_;  // by the layout's number of the brick: into bricks_, or -1
   std::vector<Brick> bricks_;
-  std::vector<Place> places_;  // of bricks_, sorted when updates are visited
+  std::vector<std::array<EndId, ScanLayout::kBrickVoxels>> end_ids_;
+  EndId ends_ = 0;
+  std::vector<Place> order_;  // of bricks_
+  bool is_sorted_ = true;
 };
 
 template <typename Visit>
-void ScanGrid::ForEachUpdate(Visit&& visit) {
+void ScanGrid::ForEachEnd(Visit&& visit) {
   SortBricks();
-  for (const Place& place : places_) {
+  for (const Place& place : order_) {
     const Brick& brick = bricks_[place.index];
     for (unsigned word = 0; word < 8; ++word) {
-      for (std::uint64_t left = brick.free[word] | brick.hit[word]; left != 0; left &= left - 1) {
-        const unsigned bit = word << 6 | static_cast<unsigned>(__builtin_ctzll(left));
-        const bool is_hit = brick.hit[word] >> (bit & 63) & 1;
-        const octomap::OcTreeKey key(
-            static_cast<octomap::key_type>(place.corner[0] + Gather(bit)),
-            static_cast<octomap::key_type>(place.corner[1] + Gather(bit >> 1)),
-            static_cast<octomap::key_type>(place.corner[2] + Gather(bit >> 2)));
-        visit(key, is_hit, is_hit ? Slot(brick, bit) : 0u);
+      for (std::uint64_t left = brick.end[word]; left != 0; left &= left - 1) {
+        const unsigned in_brick = word << 6 | static_cast<unsigned>(__builtin_ctzll(left));
+        visit(EndAt(brick, in_brick), ScanLayout::KeyOf(brick.corner, in_brick),
+              place.index << ScanLayout::kBrickBits | in_brick);
       }
     }
+  }
+}
+
+template <typename Visit>
+void ScanGrid::ForEachBrick(Visit&& visit) {
+  SortBricks();
+  for (const Place& place : order_) {
+    Brick& brick = bricks_[place.index];
+    std::uint64_t any = 0;
+    for (unsigned word = 0; word < 8; ++word) {
+      brick.free[word] &= ~brick.hit[word];
+      any |= brick.free[word] | brick.hit[word];
+    }
+    if (any != 0) visit(static_cast<const Brick&>(brick));
   }
 }
 

@@ -46,7 +46,7 @@ SemanticMapper::SemanticMapper(const SemanticMapperOptions& options,
 }
 
 bool SemanticMapper::Insert(const SemanticCloud& cloud, const TrackedImage& image) {
-  CheckSemanticCloud(cloud, *vocabulary_);
+  const CloudContents contents = CheckSemanticCloud(cloud, *vocabulary_);
   if (cloud.stamp != image.stamp) {
     throw InputError("semantic cloud is of the image at " + ToString(cloud.stamp) +
                      " s, expected " + ToString(image.stamp));
@@ -61,7 +61,7 @@ bool SemanticMapper::Insert(const SemanticCloud& cloud, const TrackedImage& imag
     return false;
   }
   AnchoredCloud anchored{image.stamp, image.keyframe_id, image.T_keyframe_camera, {}};
-  anchored.observations = inserter_.Insert(ObservationsOf(cloud, transient_),
+  anchored.observations = inserter_.Insert(cloud.points, contents, transient_,
                                            *T_map_keyframe * image.T_keyframe_camera, *tree_);
   clouds_.Add(std::move(anchored));
   entered_poses_.emplace(image.keyframe_id, *T_map_keyframe);

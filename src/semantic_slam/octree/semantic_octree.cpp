@@ -2,9 +2,49 @@
 
 #include <algorithm>
 #include <istream>
+#include <limits>
 #include <ostream>
 
+#include "semantic_slam/semantic_fusion/top_labels.h"
+
 namespace semantic_slam {
+namespace {
+
+// The mean of what up to eight children say.
+class LabelMean {
+ public:
+  void Add(const CompactLabels& labels) {
+    ++children_;
+    for (int i = 0; i < kTopLabels; ++i) {
+      if (labels.label(i) == kUnknownLabel) return;
+      Entry* entry = entries_.data();
+      while (entry != entries_.data() + count_ && entry->label != labels.label(i)) ++entry;
+      if (entry == entries_.data() + count_) entries_[count_++] = {labels.label(i), 0};
+      entry->weight += labels.scaled_probability(i);
+    }
+  }
+
+  CompactLabels Take() const {
+    if (children_ == 0) return {};
+    TopLabels<int> top;
+    for (int i = 0; i < count_; ++i) top.Offer(entries_[i].label, entries_[i].weight);
+    std::array<int, kTopLabels> scaled{};
+    for (int i = 0; i < kTopLabels; ++i) scaled[i] = (top.weights()[i] + children_ / 2) / children_;
+    return {top.labels(), scaled, 0};
+  }
+
+ private:
+  struct Entry {
+    LabelId label;
+    int weight;
+  };
+
+  std::array<Entry, 8 * kTopLabels> entries_;
+  int count_ = 0;
+  int children_ = 0;
+};
+
+}  // namespace
 
 // OctoMap keeps the prototype for ever.
 bool SemanticOcTree::Register() {
@@ -55,28 +95,27 @@ SemanticNode* SemanticOcTree::EnsureRoot(bool* created) {
 }
 
 void SemanticOcTree::SummariseChildren(SemanticNode* node) {
-  LabelSum labels;
-  std::array<int, 3> rgb{0, 0, 0};
-  int occupied = 0;
-  float log_odds = clamping_thres_min;
-  bool first = true;
+  float log_odds = -std::numeric_limits<float>::max();
+  std::array<const SemanticNode*, 8> occupied;
+  int count = 0;
   for (unsigned i = 0; i < 8; ++i) {
     if (!nodeChildExists(node, i)) continue;
     const SemanticNode* child = getNodeChild(node, i);
-    log_odds = first ? child->getLogOdds() : std::max(log_odds, child->getLogOdds());
-    first = false;
-    if (!isNodeOccupied(child)) continue;
-    ++occupied;
-    for (int c = 0; c < 3; ++c) rgb[c] += child->rgb()[c];
-    child->labels().AddTo(labels, 1);
+    log_odds = std::max(log_odds, child->getLogOdds());
+    if (isNodeOccupied(child)) occupied[count++] = child;
   }
   node->setLogOdds(log_odds);
+  std::array<int, 3> rgb{0, 0, 0};
+  LabelMean labels;
+  for (int i = 0; i < count; ++i) {
+    for (int c = 0; c < 3; ++c) rgb[c] += occupied[i]->rgb()[c];
+    labels.Add(occupied[i]->labels());
+  }
   SemanticNode::Rgb mean{0, 0, 0};
-  for (int c = 0; c < 3 && occupied > 0; ++c)
-    mean[c] = static_cast<std::uint8_t>((rgb[c] + occupied / 2) / occupied);
+  for (int c = 0; c < 3 && count > 0; ++c)
+    mean[c] = static_cast<std::uint8_t>((rgb[c] + count / 2) / count);
   node->SetRgb(mean);
-  node->SetLabels(
-      CompactLabels(labels.Take(std::max(occupied, 1) * CompactLabels::kProbabilityOne)));
+  node->SetLabels(labels.Take());
 }
 
 octomap::OcTreeKey SemanticOcTree::LowestKey(const octomap::OcTreeKey& key, unsigned depth) const {

@@ -1,25 +1,8 @@
 #include "semantic_slam/octree/tree_updater.h"
 
-#include <algorithm>
-
 namespace semantic_slam {
 
-TreeUpdater::TreeUpdater(SemanticOcTree& tree) : tree_(tree) {}
-
-void TreeUpdater::Miss(const octomap::OcTreeKey& key) {
-  SemanticNode* leaf = Descend(key, false);
-  if (leaf != nullptr && AddLogOdds(*leaf, tree_.miss_log_odds())) path_[kDepth].changed = true;
-}
-
-SemanticNode& TreeUpdater::Hit(const octomap::OcTreeKey& key, bool* was_occupied) {
-  SemanticNode* leaf = Descend(key, true);
-  *was_occupied = !path_[kDepth].created && tree_.isNodeOccupied(leaf);
-  AddLogOdds(*leaf, tree_.hit_log_odds());
-  path_[kDepth].changed = true;  // its labels will
-  return *leaf;
-}
-
-SemanticNode* TreeUpdater::Descend(const octomap::OcTreeKey& key, bool is_hit) {
+TreeUpdater::Step* TreeUpdater::Descend(const octomap::OcTreeKey& corner, bool any_hit) {
   if (depth_ < 0) {
     bool created = false;
     path_[0].node = tree_.EnsureRoot(&created);
@@ -27,58 +10,48 @@ SemanticNode* TreeUpdater::Descend(const octomap::OcTreeKey& key, bool is_hit) {
     depth_ = 0;
   } else {
     // The nodes above the highest bit in which the keys differ are on both paths.
-    const unsigned differing =
-        static_cast<unsigned>((key[0] ^ key_[0]) | (key[1] ^ key_[1]) | (key[2] ^ key_[2]));
-    const int shared = differing == 0 ? kDepth : kDepth - 32 + __builtin_clz(differing);
+    const unsigned differing = static_cast<unsigned>(
+        (corner[0] ^ corner_[0]) | (corner[1] ^ corner_[1]) | (corner[2] ^ corner_[2]));
+    const int shared = differing == 0 ? kBrickDepth : 16 - 32 + __builtin_clz(differing);
     if (shared < depth_) Leave(shared);
   }
-  key_ = key;
-  while (depth_ < kDepth) {
-    const Step& here = path_[depth_];
-    const unsigned child = octomap::computeChildIdx(key, kDepth - 1 - depth_);
-    if (!tree_.nodeChildExists(here.node, child) && !here.created && !is_hit &&
-        here.node->getLogOdds() <= tree_.getClampingThresMinLog() &&
-        !tree_.nodeHasChildren(here.node)) {
-      return nullptr;
-    }
-    Enter(child);
+  corner_ = corner;
+  for (; depth_ < kBrickDepth; ++depth_) {
+    Step& here = path_[depth_];
+    if (!any_hit && IsFreeBlock(here)) return nullptr;
+    path_[depth_ + 1] =
+        Enter(here, octomap::computeChildIdx(corner, static_cast<int>(15 - depth_)));
   }
-  return path_[kDepth].node;
+  return &path_[kBrickDepth];
 }
 
-void TreeUpdater::Enter(unsigned child) {
-  Step& here = path_[depth_];
-  Step& below = path_[depth_ + 1];
-  below.created = below.changed = false;
-  if (!tree_.nodeChildExists(here.node, child)) {
+TreeUpdater::Step TreeUpdater::Enter(Step& above, unsigned child) {
+  Step below;
+  if (!tree_.nodeChildExists(above.node, child)) {
     // What is expanded has to be offered to pruning again, even if no value in it changes.
-    here.changed = true;
-    if (!here.created && !tree_.nodeHasChildren(here.node)) {
-      tree_.expandNode(here.node);
+    above.changed = true;
+    if (!above.created && !tree_.nodeHasChildren(above.node)) {
+      tree_.expandNode(above.node);
     } else {
-      tree_.createNodeChild(here.node, child);
+      tree_.createNodeChild(above.node, child);
       below.created = true;
     }
   }
-  below.node = tree_.getNodeChild(here.node, child);
-  ++depth_;
+  below.node = tree_.getNodeChild(above.node, child);
+  return below;
+}
+
+void TreeUpdater::Finish(const Step& step, Step& above) {
+  if (!step.changed) return;
+  if (!tree_.pruneNode(step.node)) tree_.SummariseChildren(step.node);
+  above.changed = true;
 }
 
 void TreeUpdater::Leave(int depth) {
   for (; depth_ > depth; --depth_) {
-    const Step& here = path_[depth_];
-    if (!here.changed) continue;
-    if (depth_ < kDepth && !tree_.pruneNode(here.node)) tree_.SummariseChildren(here.node);
-    if (depth_ > 0) path_[depth_ - 1].changed = true;
+    Step outside;  // of the root
+    Finish(path_[depth_], depth_ > 0 ? path_[depth_ - 1] : outside);
   }
-}
-
-bool TreeUpdater::AddLogOdds(SemanticNode& leaf, float log_odds) const {
-  const float before = leaf.getLogOdds();
-  const float after = std::min(std::max(before + log_odds, tree_.getClampingThresMinLog()),
-                               tree_.getClampingThresMaxLog());
-  leaf.setLogOdds(after);
-  return after != before;
 }
 
 }  // namespace semantic_slam

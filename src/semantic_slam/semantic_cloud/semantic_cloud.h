@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -14,11 +15,14 @@ namespace semantic_slam {
 
 // Thesis section 3.3.2: a point with its colour, and the three most probable labels of its pixel.
 struct SemanticPoint {
-  Eigen::Vector3f position;            // [m], the cloud's frame
+  Eigen::Vector3f position;  // [m], the cloud's frame
   std::array<std::uint8_t, 3> rgb{};
-  std::array<LabelId, kTopLabels> labels{};        // by descending confidence
-  std::array<float, kTopLabels> confidences{};     // 0..1; their sum is at most 1
+  std::array<LabelId, kTopLabels> labels{};     // by descending confidence
+  std::array<float, kTopLabels> confidences{};  // 0..1; their sum is at most 1
 };
+
+// A set of labels.
+using LabelMask = std::bitset<256>;
 
 // What one RGB-D image shows, in the colour camera's optical frame at `stamp`.
 struct SemanticCloud {

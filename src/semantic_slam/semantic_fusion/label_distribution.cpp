@@ -26,36 +26,26 @@ float LabelDistribution::Probability(LabelId label) const {
   return 0.0f;
 }
 
-LabelDistribution LabelSum::Take(std::uint64_t total) {
-  const auto heavier = [this](LabelId a, LabelId b) {
-    return weights_[a] != weights_[b] ? weights_[a] > weights_[b] : a < b;
-  };
-  const int kept = std::min(count_, kTopLabels);
-  std::partial_sort(used_.begin(), used_.begin() + kept, used_.begin() + count_, heavier);
-  LabelDistribution top;
-  for (int i = 0; i < kept; ++i) {
-    top.labels[i] = used_[i];
-    top.probabilities[i] =
-        static_cast<float>(static_cast<double>(weights_[used_[i]]) / static_cast<double>(total));
-  }
-  for (int i = 0; i < count_; ++i) weights_[used_[i]] = 0;
-  count_ = 0;
-  return top;
+CompactLabels::CompactLabels(const LabelDistribution& distribution) {
+  std::array<int, kTopLabels> scaled{};
+  for (int i = 0; i < kTopLabels; ++i)
+    scaled[i] = static_cast<int>(distribution.probabilities[i] * kProbabilityOne + 0.5f);
+  *this = CompactLabels(distribution.labels, scaled, distribution.observations);
 }
 
-CompactLabels::CompactLabels(const LabelDistribution& distribution) {
-  const int observations = std::clamp(distribution.observations, 0, kMaxObservations);
+CompactLabels::CompactLabels(const std::array<LabelId, kTopLabels>& labels,
+                             const std::array<int, kTopLabels>& scaled_probabilities,
+                             int observations) {
+  observations = std::clamp(observations, 0, kMaxObservations);
   int left = kProbabilityOne;
   for (int i = 0; i < kTopLabels; ++i) {
-    const auto rounded =
-        static_cast<int>(std::lround(distribution.probabilities[i] * kProbabilityOne));
-    assert(rounded >= 0);
-    const int probability = std::min(rounded, left);
+    assert(scaled_probabilities[i] >= 0);
+    const int probability = std::min(scaled_probabilities[i], left);
     left -= probability;
     const int word = probability | (observations >> (2 * i) & 3) << 14;
     bytes_[2 * i] = static_cast<std::uint8_t>(word);
     bytes_[2 * i + 1] = static_cast<std::uint8_t>(word >> 8);
-    bytes_[2 * kTopLabels + i] = distribution.labels[i];
+    bytes_[2 * kTopLabels + i] = labels[i];
   }
 }
 
@@ -84,10 +74,6 @@ LabelDistribution CompactLabels::Unpacked() const {
   }
   distribution.observations = observations();
   return distribution;
-}
-
-void CompactLabels::AddTo(LabelSum& sum, std::uint64_t weight) const {
-  for (int i = 0; i < kTopLabels; ++i) sum.Add(label(i), weight * scaled_probability(i));
 }
 
 }  // namespace semantic_slam

@@ -29,28 +29,6 @@ struct LabelDistribution {
   LabelId top() const { return labels[0]; }
 };
 
-// Label weights to be added up, and the distribution of the heaviest of them: a sum over any number
-// of observations that does not depend on their order, since it is made of whole numbers. Reusable;
-// not thread-safe.
-class LabelSum {
- public:
-  // kUnknownLabel is no class: its weight is left to "others".
-  void Add(LabelId label, std::uint64_t weight) {
-    if (label == kUnknownLabel || weight == 0) return;
-    if (weights_[label] == 0) used_[count_++] = label;
-    weights_[label] += weight;
-  }
-
-  // The three heaviest labels as parts of `total`, of equally heavy ones those of smaller id; then
-  // forgets everything. `total` is at least the sum of all weights.
-  LabelDistribution Take(std::uint64_t total);
-
- private:
-  std::array<std::uint64_t, 256> weights_{};
-  std::array<LabelId, 256> used_{};
-  int count_ = 0;
-};
-
 // A LabelDistribution in the nine bytes that an octree node has room for: three ids, three
 // probabilities in steps of 1/16383 (a thirtieth of the smallest one that fusion keeps, 0.005), and
 // the observations, which stop at 63, in the six bits left over. Bytes, because a node of 24 bytes
@@ -63,6 +41,11 @@ class CompactLabels {
 
   CompactLabels() = default;
   explicit CompactLabels(const LabelDistribution& distribution);
+
+  // Of probabilities in units of 1/kProbabilityOne, descending; what makes their sum more than one
+  // is taken from the last ones.
+  CompactLabels(const std::array<LabelId, kTopLabels>& labels,
+                const std::array<int, kTopLabels>& scaled_probabilities, int observations);
 
   // For files.
   static CompactLabels FromBytes(const std::array<std::uint8_t, kBytes>& bytes);
@@ -77,9 +60,6 @@ class CompactLabels {
   LabelId label(int i) const { return bytes_[2 * kTopLabels + i]; }
   int scaled_probability(int i) const { return Word(i) & kProbabilityOne; }
   int observations() const { return Word(0) >> 14 | (Word(1) >> 14) << 2 | (Word(2) >> 14) << 4; }
-
-  // Adds the probabilities, `weight` times, in units of 1/kProbabilityOne.
-  void AddTo(LabelSum& sum, std::uint64_t weight) const;
 
   friend bool operator==(const CompactLabels& a, const CompactLabels& b) {
     return a.bytes_ == b.bytes_;

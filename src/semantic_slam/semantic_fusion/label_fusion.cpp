@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 
+#include "semantic_slam/semantic_fusion/top_labels.h"
+
 namespace semantic_slam {
 namespace {
 
@@ -33,17 +35,13 @@ class Candidates {
   const Entry* begin() const { return entries_.data(); }
   const Entry* end() const { return entries_.data() + count_; }
 
-  // The heaviest three, divided by `total`; of equal ones those of smaller id.
-  LabelDistribution Top(float total) {
-    const int kept = std::min(count_, kTopLabels);
-    std::partial_sort(begin(), begin() + kept, end(), [](const Entry& a, const Entry& b) {
-      return a.weight != b.weight ? a.weight > b.weight : a.label < b.label;
-    });
+  // The heaviest three, divided by `total`.
+  LabelDistribution Top(float total) const {
+    TopLabels<float> heaviest;
+    for (const Entry& entry : *this) heaviest.Offer(entry.label, entry.weight);
     LabelDistribution top;
-    for (int i = 0; i < kept; ++i) {
-      top.labels[i] = entries_[i].label;
-      top.probabilities[i] = entries_[i].weight / total;
-    }
+    top.labels = heaviest.labels();
+    for (int i = 0; i < kTopLabels; ++i) top.probabilities[i] = heaviest.weights()[i] / total;
     return top;
   }
 
