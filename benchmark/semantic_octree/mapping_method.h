@@ -21,12 +21,15 @@ class MappingMethod {
 
   virtual ~MappingMethod() = default;
 
-  // Brings the image into the form in which the mapper takes it, in the camera's frame; may take the
-  // points. Not timed.
+  // Brings the image into the form in which the mapper takes it, in the camera's frame; may take
+  // the points. Not timed.
   virtual void Prepare(synthetic_room::Frame& frame) = 0;
 
   // From that form and the pose to the map. Timed.
   virtual void Insert(const synthetic_room::Frame& frame) = 0;
+
+  // Frees what Prepare() has made. Not timed.
+  virtual void Release() {}
 
   virtual std::size_t Leaves() const = 0;
   virtual std::size_t Nodes() const = 0;

@@ -49,6 +49,8 @@ class SemanticMethod : public TreeMethod<SemanticOcTree> {
     mapper_.Insert(cloud_, image_);
   }
 
+  void Release() override { cloud_.points = {}; }
+
  protected:
   const SemanticOcTree& tree() const override { return mapper_.tree(); }
   LabelId LabelOf(const SemanticNode& node) const override { return node.labels().label(0); }

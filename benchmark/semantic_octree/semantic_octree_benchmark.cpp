@@ -103,12 +103,14 @@ Timing InsertAll(const Settings& settings, MappingMethod& method, Memory& memory
   synthetic_room::Render(0, frame);
   method.Prepare(frame);
   memory.at_start_mb = ProcessMemoryMb("VmRSS");
+  method.Release();
   ProgressBar progress(settings.method, static_cast<std::size_t>(settings.frames));
   for (int i = 0; i < settings.frames; ++i) {
     synthetic_room::Render(i % kFrames, frame);
-    method.Prepare(frame);
     timing.points += frame.points.size();
+    method.Prepare(frame);
     Measure([&] { method.Insert(frame); }, timing);
+    method.Release();
     progress.Update(static_cast<std::size_t>(i + 1));
   }
   memory.peak_mb = ProcessMemoryMb("VmHWM");

@@ -248,6 +248,7 @@ void Render(int id, Frame& frame) {
     colours[v * kWidth + u] = NoisyColour(u, v, id, surface.rgb);
   });
   frame.points.clear();
+  frame.points.reserve(kWidth * kHeight);
   for (int v = 0; v < kHeight; ++v) {
     for (int u = 0; u < kWidth; ++u) {
       const float z = NoisyDepth(u, v, id, frame.true_depth_m[v * kWidth + u]);

@@ -26,6 +26,9 @@ namespace {
 constexpr int kCloudQueueSize = 5;
 constexpr double kMegabyte = 1048576.0;
 
+// How often a rebuild runs beside the map before the map waits for it.
+constexpr int kRebuildRuns = 5;
+
 }  // namespace
 
 OctomapNode::OctomapNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -43,6 +46,9 @@ OctomapNode::OctomapNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
               [this](NodeHealth::Status& status) { Diagnose(status); }),
       saver_(private_nh, topics::kSaveMap, options_.output_directory,
              [this](const std::string& folder) { return Save(folder); }),
+      rebuilder_(std::make_unique<semantic_slam::Worker<std::shared_ptr<MapRebuild>>>(
+          1, semantic_slam::WhenFull::kBlock,
+          [this](const std::shared_ptr<MapRebuild>& rebuild) { Rebuild(*rebuild); })),
       worker_(std::make_unique<MapWorker<Joiner::Joined>>(
           options_.queue_size, drops_,
           MapWorker<Joiner::Joined>::Handlers{
@@ -64,6 +70,8 @@ OctomapNode::~OctomapNode() {
   cloud_sub_.shutdown();
   graph_input_.reset();
   worker_.reset();
+  stop_rebuilding_ = true;
+  rebuilder_.reset();
   saver_.SaveOnShutdown();
 }
 
@@ -79,23 +87,44 @@ void OctomapNode::OnTracked(const TrackedImage& image) {
 
 void OctomapNode::FollowGraph(const KeyframeGraph& graph) {
   std::lock_guard<std::mutex> lock(map_mutex_);
-  const std::size_t rebuilds = mapper_.counts().rebuilds;
-  const int map_id = mapper_.map_id();
   try {
-    if (!mapper_.FollowGraph(graph)) return;
+    if (mapper_.TakeOver(graph))
+      ROS_WARN("tracking began map %d: the old one is forgotten", mapper_.map_id());
   } catch (const InputError& e) {
     drops_.Add("bad_keyframes", e.what());
     return;
   }
-  if (mapper_.counts().rebuilds == rebuilds) {
-    ROS_WARN("tracking began map %d: the old one is forgotten", mapper_.map_id());
-  } else if (mapper_.map_id() != map_id) {
-    ROS_WARN("tracking was lost and began map %d: the old one comes back when it is found again",
-             mapper_.map_id());
-  } else {
-    ROS_INFO("the camera's path was corrected: the map was made again from %zu clouds",
-             mapper_.clouds().clouds().size());
+  StartRebuild();
+}
+
+void OctomapNode::StartRebuild() {
+  if (is_rebuilding_ || !mapper_.NeedsRebuild()) return;
+  is_rebuilding_ = true;
+  rebuilder_->Push(mapper_.BeginRebuild());
+}
+
+void OctomapNode::Rebuild(MapRebuild& rebuild) {
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock<std::mutex> lock(map_mutex_, std::defer_lock);
+  // Clouds go on coming in. They are entered too, and as fewer come while fewer are entered this
+  // ends soon; where they come in faster than that, the last ones with everything else waiting.
+  bool is_finished = false;
+  for (int run = 0; run < kRebuildRuns && !is_finished; ++run) {
+    if (lock.owns_lock()) lock.unlock();
+    rebuild.Run(stop_rebuilding_);
+    if (stop_rebuilding_) return;
+    lock.lock();
+    is_finished = mapper_.FinishRebuild(rebuild);
   }
+  if (!is_finished) {
+    rebuild.Run();
+    mapper_.FinishRebuild(rebuild);
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  ROS_INFO("the camera's path was corrected: the map was made again from %zu clouds in %.1f s",
+           mapper_.clouds().clouds().size(), taken.count());
+  is_rebuilding_ = false;
+  StartRebuild();
 }
 
 void OctomapNode::Insert(const Joiner::Joined& joined) {
@@ -159,8 +188,14 @@ void OctomapNode::Diagnose(NodeHealth::Status& status) {
   if (!lock.owns_lock()) return;  // it is being worked on; the next message has it
   status.add("map", mapper_.map_id());
   status.add("octree nodes", mapper_.tree().size());
-  status.addf("kept clouds [MB]", "%.1f",
-              static_cast<double>(mapper_.clouds().bytes()) / kMegabyte);
+  const semantic_slam::AnchoredClouds& clouds = mapper_.clouds();
+  status.addf("kept clouds in memory [MB]", "%.1f",
+              static_cast<double>(clouds.memory_bytes()) / kMegabyte);
+  status.addf("kept clouds on disk [MB]", "%.1f",
+              static_cast<double>(clouds.disk_bytes()) / kMegabyte);
+  if (!clouds.disk_error().empty())
+    status.mergeSummary(DiagnosticStatus::WARN, clouds.disk_error());
+  status.add("rebuilding", is_rebuilding_);
   status.add("keeps one cloud of", mapper_.clouds().keeps_one_of());
   status.add("rebuilds", mapper_.counts().rebuilds);
 }

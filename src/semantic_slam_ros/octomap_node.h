@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -11,6 +12,7 @@
 #include <std_srvs/Trigger.h>
 
 #include "semantic_slam/common/label_vocabulary.h"
+#include "semantic_slam/common/worker.h"
 #include "semantic_slam/octree/semantic_map.h"
 #include "semantic_slam_ros/counted_joiner.h"
 #include "semantic_slam_ros/drop_counter.h"
@@ -53,7 +55,8 @@ struct OctomapNodeParameters {
 };
 
 // Wires SemanticMapper to topics; docs/ros_api.md lists them. Callbacks only sort pointers: reading
-// clouds, mapping and publishing happen on a thread of its own.
+// clouds, mapping and publishing happen on a thread of its own, and on another one the map is made
+// again when the camera's path was corrected, while the old one goes on.
 class OctomapNode {
  public:
   // Throws ConfigError if a parameter or a file that it names is wrong.
@@ -68,6 +71,7 @@ class OctomapNode {
     std::chrono::steady_clock::time_point received;
   };
   using Joiner = CountedJoiner<Cloud>;
+  using MapRebuild = semantic_slam::MapRebuild;
 
   OctomapNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
               const OctomapNodeParameters& parameters);
@@ -77,6 +81,11 @@ class OctomapNode {
   bool OnReset(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
+  // With map_mutex_ held: begins to make the map again if it should be.
+  void StartRebuild();
+
+  // On the rebuilder's thread.
+  void Rebuild(MapRebuild& rebuild);
 
   // On the worker's thread.
   void FollowGraph(const semantic_slam::KeyframeGraph& graph);
@@ -94,11 +103,14 @@ class OctomapNode {
 
   std::mutex map_mutex_;
   semantic_slam::SemanticMapper mapper_;  // guarded by map_mutex_
-  OctomapPublisher publisher_;            // for the worker's thread
+  bool is_rebuilding_ = false;            // guarded by map_mutex_
+  std::atomic<bool> stop_rebuilding_{false};
+  OctomapPublisher publisher_;  // for the worker's thread
 
   NodeHealth health_;
   MapSaver saver_;
-  std::unique_ptr<MapWorker<Joiner::Joined>> worker_;
+  std::unique_ptr<semantic_slam::Worker<std::shared_ptr<MapRebuild>>> rebuilder_;
+  std::unique_ptr<MapWorker<Joiner::Joined>> worker_;  // after the rebuilder that it hands work to
   std::unique_ptr<GraphInput> graph_input_;  // after the worker that it wakes, as what follows
   ros::Subscriber cloud_sub_;
   ros::WallTimer publish_timer_;

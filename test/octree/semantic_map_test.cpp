@@ -195,6 +195,42 @@ TEST_F(SemanticMapperTest, RebuildsTheSameMapEveryTime) {
   EXPECT_TRUE(mapper.tree() == twin.tree());
 }
 
+TEST_F(SemanticMapperTest, CloudsThatComeDuringARebuildAreInTheNewMap) {
+  SemanticMapper mapper = Mapper();
+  mapper.FollowGraph(Graph(1, {At(0.0), At(5.0)}));
+  mapper.Insert(Wall(1), Image(1, 0));
+  EXPECT_FALSE(mapper.TakeOver(Graph(2, {At(0.0, 0.5), At(5.0)})));
+  ASSERT_TRUE(mapper.NeedsRebuild());
+  const auto rebuild = mapper.BeginRebuild();
+  // The old map stays until the new one is there, and takes in what comes.
+  EXPECT_TRUE(IsOccupied(mapper, 0.52, -0.52, 2.02));
+  mapper.Insert(Wall(2), Image(2, 1));
+  EXPECT_TRUE(IsOccupied(mapper, 5.52, 0.02, 2.02));
+  rebuild->Run();
+  EXPECT_TRUE(IsOccupied(mapper, 0.52, -0.52, 2.02));
+  EXPECT_FALSE(mapper.FinishRebuild(*rebuild));  // there is one more cloud
+  rebuild->Run();
+  EXPECT_TRUE(mapper.FinishRebuild(*rebuild));
+  EXPECT_EQ(mapper.counts().rebuilds, 1u);
+  EXPECT_FALSE(IsOccupied(mapper, 0.52, -0.52, 2.02));
+  EXPECT_TRUE(IsOccupied(mapper, 0.52, 1.02, 2.02));
+  EXPECT_TRUE(IsOccupied(mapper, 5.52, 0.02, 2.02));
+  EXPECT_FALSE(mapper.NeedsRebuild());
+}
+
+TEST_F(SemanticMapperTest, AResetThrowsARebuildAway) {
+  SemanticMapper mapper = Mapper();
+  mapper.FollowGraph(Graph(1, {At(0.0)}));
+  mapper.Insert(Wall(1), Image(1, 0));
+  mapper.TakeOver(Graph(2, {At(1.0)}));
+  const auto rebuild = mapper.BeginRebuild();
+  mapper.Reset();
+  rebuild->Run();
+  EXPECT_TRUE(mapper.FinishRebuild(*rebuild));
+  EXPECT_EQ(mapper.tree().size(), 0u);
+  EXPECT_EQ(mapper.counts().rebuilds, 0u);
+}
+
 TEST_F(SemanticMapperTest, ATurnMovesTheSurroundingsToo) {
   SemanticMapper mapper = Mapper();
   mapper.FollowGraph(Graph(1, {At(0.0)}));
@@ -311,14 +347,14 @@ TEST_F(SemanticMapperTest, APersonIsNotEnteredAndIsClearedWhenSeenThrough) {
 
 TEST_F(SemanticMapperTest, StaysWithinItsBudgetAndStillCoversTheRun) {
   SemanticMapperOptions options;
-  options.map.max_clouds_mb = 1;
+  options.map.max_clouds_on_disk_mb = 1;
   SemanticMapper mapper = Mapper(options);
   std::vector<Rigid3d> poses;
-  for (int i = 0; i < 40; ++i) poses.push_back(At(0.5 * i));
+  for (int i = 0; i < 80; ++i) poses.push_back(At(0.5 * i));
   mapper.FollowGraph(Graph(1, poses));
-  for (int i = 0; i < 40; ++i) mapper.Insert(Wall(i, i), Image(i, i));
+  for (int i = 0; i < 80; ++i) mapper.Insert(Wall(i, i), Image(i, i));
   EXPECT_GT(mapper.clouds().keeps_one_of(), 1u);
-  EXPECT_LE(mapper.clouds().bytes(), std::size_t{1} << 20);
+  EXPECT_LE(mapper.clouds().disk_bytes(), std::size_t{1} << 20);
   for (Rigid3d& pose : poses) pose.translation().y() += 0.3;
   ASSERT_TRUE(mapper.FollowGraph(Graph(2, poses)));
   for (double x = 0.0; x < 19.0; x += 0.5) {

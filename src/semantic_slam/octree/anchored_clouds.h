@@ -1,31 +1,59 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "semantic_slam/common/keyframe_graph.h"
-#include "semantic_slam/semantic_fusion/voxel_observation.h"
+#include "semantic_slam/common/scratch_file.h"
+#include "semantic_slam/octree/packed_cloud.h"
 
 namespace semantic_slam {
 
-// What one image showed, one observation per voxel, and where it was seen from: the pose relative
-// to a keyframe stays true when the map is corrected.
-struct AnchoredCloud {
-  Stamp stamp;
-  KeyframeId keyframe_id = kNoKeyframe;
-  Rigid3d T_keyframe_camera = Rigid3d::Identity();
-  std::vector<VoxelObservation> observations;  // in the camera's optical frame
+// A kept cloud, in memory or on disk. Immutable, so safe from any thread.
+class AnchoredCloud {
+ public:
+  AnchoredCloud(const CloudAnchor& anchor, PackedCloud cloud);
+
+  // The same on disk. Throws InputError if that is full.
+  AnchoredCloud(const AnchoredCloud& from, std::shared_ptr<ScratchFile> file);
+
+  const CloudAnchor& anchor() const { return anchor_; }
+  std::size_t bytes() const { return sizeof(AnchoredCloud) + size_ * sizeof(PackedObservation); }
+  bool is_on_disk() const { return file_ != nullptr; }
+
+  // Throws InputError if it cannot be read from disk.
+  std::vector<VoxelObservation> Load() const;
+
+ private:
+  PackedCloud Packed() const;
+
+  const CloudAnchor anchor_;
+  const PackedCloud in_memory_;  // without observations if they are on disk
+  const std::size_t size_;       // observations
+  const std::shared_ptr<const ScratchFile> file_;
+  std::uint64_t offset_ = 0;
 };
 
-// The clouds that a map was made of, so that it can be made again. Bounded: when they outgrow the
-// budget every second one goes, and from then on only every second one is kept, and so on. So the
-// clouds always cover the whole run, evenly, however long it is. Not thread-safe.
+// The clouds that a map was made of, so that it can be made again. Bounded: what outgrows the
+// memory allowed goes to disk, the oldest first; when both are full every second cloud goes, and
+// from then on only every second one is kept, and so on. So the clouds always cover the whole run,
+// evenly, however long it is. Not thread-safe.
 class AnchoredClouds {
  public:
-  explicit AnchoredClouds(std::size_t max_bytes) : max_bytes_(max_bytes) {}
+  using Clouds = std::vector<std::shared_ptr<const AnchoredCloud>>;
 
-  void Add(AnchoredCloud cloud);
+  struct Limits {
+    std::size_t disk_bytes = 0;    // 0: nothing goes to disk
+    std::size_t memory_bytes = 0;  // of what does not
+    std::string folder;            // for the file; empty: the system's
+  };
+
+  explicit AnchoredClouds(const Limits& limits) : limits_(limits) {}
+
+  // If the disk fails it is no longer used, and disk_error() tells why.
+  void Add(const CloudAnchor& anchor, const std::vector<VoxelObservation>& observations);
 
   // Removes the clouds for which `is_obsolete(cloud)`; returns how many.
   template <typename Predicate>
@@ -34,29 +62,41 @@ class AnchoredClouds {
   void Clear();
 
   // In the order in which they came.
-  const std::vector<AnchoredCloud>& clouds() const { return clouds_; }
-  std::size_t bytes() const { return bytes_; }
+  const Clouds& clouds() const { return clouds_; }
+  std::size_t memory_bytes() const { return memory_bytes_; }
+  std::size_t disk_bytes() const { return disk_bytes_; }
+  const std::string& disk_error() const { return disk_error_; }
 
   // One of how many clouds is kept; a power of two.
   std::size_t keeps_one_of() const { return keeps_one_of_; }
 
  private:
-  static std::size_t SizeOf(const AnchoredCloud& cloud);
+  std::size_t& BytesOf(const AnchoredCloud& cloud) {
+    return cloud.is_on_disk() ? disk_bytes_ : memory_bytes_;
+  }
+  // The same cloud on disk, or if there is none, itself.
+  std::shared_ptr<const AnchoredCloud> OnDisk(std::shared_ptr<const AnchoredCloud> cloud);
   void Thin();
 
-  const std::size_t max_bytes_;
-  std::vector<AnchoredCloud> clouds_;
-  std::size_t bytes_ = 0;
+  // Writes the clouds on disk anew, so that it holds nothing else.
+  void Compact();
+
+  const Limits limits_;
+  Clouds clouds_;
+  std::shared_ptr<ScratchFile> file_;
+  std::string disk_error_;
+  std::size_t memory_bytes_ = 0;
+  std::size_t disk_bytes_ = 0;
   std::size_t keeps_one_of_ = 1;
   std::size_t offered_ = 0;
 };
 
 template <typename Predicate>
 std::size_t AnchoredClouds::RemoveIf(Predicate&& is_obsolete) {
-  std::vector<AnchoredCloud> kept;
-  for (AnchoredCloud& cloud : clouds_) {
-    if (is_obsolete(cloud)) {
-      bytes_ -= SizeOf(cloud);
+  Clouds kept;
+  for (std::shared_ptr<const AnchoredCloud>& cloud : clouds_) {
+    if (is_obsolete(*cloud)) {
+      BytesOf(*cloud) -= cloud->bytes();
     } else {
       kept.push_back(std::move(cloud));
     }

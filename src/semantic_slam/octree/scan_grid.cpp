@@ -36,11 +36,6 @@ void ScanGrid::AddBrick(std::size_t number) {
   is_sorted_ = false;
 }
 
-void ScanGrid::AddEndIds(Brick& brick) {
-  brick.end_ids = static_cast<std::int32_t>(end_ids_.size());
-  end_ids_.emplace_back();
-}
-
 void ScanGrid::AddFree(const RayLayer& rays) {
   rays.ForEachBrick([this](std::uint32_t number, const Words& words) {
     Brick& brick = bricks_[BrickAt(number)];

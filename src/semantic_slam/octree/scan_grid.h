@@ -25,10 +25,11 @@ class ScanGrid {
 
   struct Brick {
     octomap::OcTreeKey corner;
-    Words free{};               // a ray passes
-    Words hit{};                // something is there
-    Words end{};                // a measurement lies there, whether it counts as a hit or not
-    std::int32_t end_ids = -1;  // which block of numbers is its ends'; -1: none
+    Words free{};  // a ray passes
+    Words hit{};   // something is there
+    Words end{};   // a measurement lies there, whether it counts as a hit or not
+    // Of each word with an end: where in end_ids_ the numbers of its ends are.
+    std::array<std::uint32_t, 8> end_ids{};
   };
 
   // Forgets everything.
@@ -41,15 +42,15 @@ class ScanGrid {
     const ScanLayout::Number number = layout_.NumberOf(key);
     const unsigned place = number & (ScanLayout::kBrickVoxels - 1);
     Brick& brick = bricks_[BrickAt(number >> ScanLayout::kBrickBits)];
-    if (brick.end_ids < 0) AddEndIds(brick);
-    EndId& id = end_ids_[static_cast<std::size_t>(brick.end_ids)][place];
     std::uint64_t& word = brick.end[place >> 6];
     const std::uint64_t bit = std::uint64_t{1} << (place & 63);
-    if ((word & bit) == 0) {
-      word |= bit;
-      id = ends_++;
+    if ((word & bit) != 0) return EndAt(brick, place);
+    if (word == 0) {
+      brick.end_ids[place >> 6] = static_cast<std::uint32_t>(end_ids_.size());
+      end_ids_.emplace_back();
     }
-    return id;
+    word |= bit;
+    return end_ids_[brick.end_ids[place >> 6]][place & 63] = ends_++;
   }
 
   // How many ends there are.
@@ -57,7 +58,7 @@ class ScanGrid {
 
   // Precondition: a measurement lies at that place in the brick.
   EndId EndAt(const Brick& brick, unsigned place) const {
-    return end_ids_[static_cast<std::size_t>(brick.end_ids)][place];
+    return end_ids_[brick.end_ids[place >> 6]][place & 63];
   }
 
   // Calls visit(end, key, bit) for every end, in Morton order.
@@ -91,13 +92,12 @@ class ScanGrid {
     return static_cast<std::uint32_t>(index_[number]);
   }
   void AddBrick(std::size_t number);
-  void AddEndIds(Brick& brick);
   void SortBricks();
 
   ScanLayout layout_;
   std::vector<std::int32_t> index_;  // by the layout's number of the brick: into bricks_, or -1
   std::vector<Brick> bricks_;
-  std::vector<std::array<EndId, ScanLayout::kBrickVoxels>> end_ids_;
+  std::vector<std::array<EndId, 64>> end_ids_;  // of the voxels of a word
   EndId ends_ = 0;
   std::vector<Place> order_;  // of bricks_
   bool is_sorted_ = true;

@@ -38,7 +38,8 @@ SemanticMapper::SemanticMapper(const SemanticMapperOptions& options,
       vocabulary_(std::move(vocabulary)),
       transient_(MaskOf(options.map.transient_classes, *vocabulary_)),
       inserter_(options.insertion, LabelFusion(options.fusion, ClassCount(*vocabulary_))),
-      clouds_(options.map.max_clouds_mb * kMegabyte) {
+      clouds_({options.map.max_clouds_on_disk_mb * kMegabyte,
+               options.map.max_clouds_in_memory_mb * kMegabyte, options.map.scratch_folder}) {
   Validate(options_.map);
   Validate(options_.occupancy);
   CheckRangeInVoxels(options_.insertion, options_.map.resolution_m);
@@ -60,10 +61,9 @@ bool SemanticMapper::Insert(const SemanticCloud& cloud, const TrackedImage& imag
     ++counts_.unknown_keyframe;
     return false;
   }
-  AnchoredCloud anchored{image.stamp, image.keyframe_id, image.T_keyframe_camera, {}};
-  anchored.observations = inserter_.Insert(cloud.points, contents, transient_,
-                                           *T_map_keyframe * image.T_keyframe_camera, *tree_);
-  clouds_.Add(std::move(anchored));
+  const auto& observations = inserter_.Insert(cloud.points, contents, transient_,
+                                              *T_map_keyframe * image.T_keyframe_camera, *tree_);
+  Keep({image.stamp, image.keyframe_id, image.T_keyframe_camera}, observations);
   entered_poses_.emplace(image.keyframe_id, *T_map_keyframe);
   stamp_ = std::max(stamp_, image.stamp);
   ++counts_.inserted;
@@ -71,19 +71,56 @@ bool SemanticMapper::Insert(const SemanticCloud& cloud, const TrackedImage& imag
   return true;
 }
 
-bool SemanticMapper::FollowGraph(const KeyframeGraph& graph) {
+void SemanticMapper::Keep(const CloudAnchor& anchor,
+                          const std::vector<VoxelObservation>& observations) {
+  clouds_.Add(anchor, observations);
+  const AnchoredClouds::Clouds& kept = clouds_.clouds();
+  const bool is_kept = !kept.empty() && kept.back()->anchor().stamp == anchor.stamp;
+  if (rebuild_ != nullptr && is_kept) came_meanwhile_.push_back(kept.back());
+}
+
+bool SemanticMapper::TakeOver(const KeyframeGraph& graph) {
   CheckPoses(graph);
   const bool is_new_map = graph.map_id != poses_.map_id();
   const bool is_forgotten = graph.revision < poses_.revision() || graph.map_id < poses_.map_id() ||
                             (is_new_map && ForgetsLostMaps(graph.reason));
   const bool had_content = tree_->getRoot() != nullptr;
   poses_ = KeyframePoses(graph);
-  if (is_forgotten) {
-    Reset();
-    return had_content;
+  if (is_forgotten) Reset();
+  return is_forgotten && had_content;
+}
+
+bool SemanticMapper::FollowGraph(const KeyframeGraph& graph) {
+  if (TakeOver(graph)) return true;
+  if (!NeedsRebuild()) return false;
+  const std::unique_ptr<MapRebuild> rebuild = BeginRebuild();
+  rebuild->Run();
+  FinishRebuild(*rebuild);
+  return true;
+}
+
+std::unique_ptr<MapRebuild> SemanticMapper::BeginRebuild() {
+  auto rebuild = std::make_unique<MapRebuild>(inserter_, EmptyTree(), poses_, clouds_.clouds());
+  rebuild_ = rebuild.get();
+  came_meanwhile_.clear();
+  return rebuild;
+}
+
+bool SemanticMapper::FinishRebuild(MapRebuild& rebuild) {
+  if (rebuild_ != &rebuild) return true;
+  if (!came_meanwhile_.empty()) {
+    for (auto& cloud : came_meanwhile_) rebuild.Append(std::move(cloud));
+    came_meanwhile_.clear();
+    return false;
   }
-  if (!HasMoved() && !ComesBack()) return false;
-  Rebuild();
+  rebuild_ = nullptr;
+  tree_ = rebuild.TakeTree();
+  entered_poses_ = rebuild.entered_poses();
+  unlisted_ = rebuild.unlisted();
+  counts_.lost_keyframe += clouds_.RemoveIf(
+      [&](const AnchoredCloud& cloud) { return rebuild.lost().count(&cloud) != 0; });
+  ++counts_.rebuilds;
+  ++version_;
   return true;
 }
 
@@ -98,15 +135,18 @@ void SemanticMapper::Reset() {
   clouds_.Clear();
   entered_poses_.clear();
   unlisted_.clear();
+  came_meanwhile_.clear();
+  rebuild_ = nullptr;
   stamp_ = Stamp{};
   ++version_;
 }
 
 std::vector<Eigen::Vector3d> SemanticMapper::CameraPath() const {
   std::vector<Eigen::Vector3d> path;
-  for (const AnchoredCloud& cloud : clouds_.clouds()) {
-    const auto T_map_keyframe = poses_.Find(cloud.keyframe_id);
-    if (T_map_keyframe) path.push_back(*T_map_keyframe * cloud.T_keyframe_camera.translation());
+  for (const auto& cloud : clouds_.clouds()) {
+    const CloudAnchor& anchor = cloud->anchor();
+    const auto T_map_keyframe = poses_.Find(anchor.keyframe_id);
+    if (T_map_keyframe) path.push_back(*T_map_keyframe * anchor.T_keyframe_camera.translation());
   }
   return path;
 }
@@ -123,29 +163,6 @@ bool SemanticMapper::HasMoved() const {
     return !now || Displacement(entered.second, *now, options_.map.rebuild_reach_m) >
                        options_.map.rebuild_threshold_m;
   });
-}
-
-void SemanticMapper::Rebuild() {
-  entered_poses_.clear();
-  unlisted_.clear();
-  std::unique_ptr<SemanticOcTree> tree = EmptyTree();
-  counts_.lost_keyframe += clouds_.RemoveIf([&](const AnchoredCloud& cloud) {
-    const auto T_map_keyframe = poses_.Find(cloud.keyframe_id);
-    if (!T_map_keyframe) {
-      unlisted_.insert(cloud.keyframe_id);
-      return false;
-    }
-    try {
-      inserter_.Insert(cloud.observations, *T_map_keyframe * cloud.T_keyframe_camera, *tree);
-    } catch (const InputError&) {
-      return true;  // it has moved out of the octree
-    }
-    entered_poses_.emplace(cloud.keyframe_id, *T_map_keyframe);
-    return false;
-  });
-  tree_ = std::move(tree);
-  ++counts_.rebuilds;
-  ++version_;
 }
 
 }  // namespace semantic_slam

@@ -12,6 +12,7 @@
 #include "semantic_slam/common/label_vocabulary.h"
 #include "semantic_slam/common/options.h"
 #include "semantic_slam/octree/anchored_clouds.h"
+#include "semantic_slam/octree/map_rebuild.h"
 #include "semantic_slam/octree/octree_inserter.h"
 #include "semantic_slam/octree/semantic_octree.h"
 #include "semantic_slam/semantic_cloud/semantic_cloud.h"
@@ -25,7 +26,10 @@ struct SemanticMapOptions {
   double rebuild_threshold_m =
       0.05;                      // the map is made anew when a keyframe's surroundings move farther
   double rebuild_reach_m = 3.0;  // where those surroundings end: turning moves them too
-  int max_clouds_mb = 512;       // for the clouds that the map is made of
+  // For the clouds that the map is made of. They are only read when it is made again.
+  int max_clouds_on_disk_mb = 2048;   // 0: none goes to disk
+  int max_clouds_in_memory_mb = 256;  // where there is no disk
+  std::string scratch_folder;         // where on disk; empty: the system's for temporary files
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
@@ -33,7 +37,9 @@ struct SemanticMapOptions {
     visit("transient_classes", self.transient_classes);
     visit("rebuild_threshold_m", self.rebuild_threshold_m, 0.001, 10.0);
     visit("rebuild_reach_m", self.rebuild_reach_m, 0.0, 30.0);
-    visit("max_clouds_mb", self.max_clouds_mb, 1, 100000);
+    visit("max_clouds_on_disk_mb", self.max_clouds_on_disk_mb, 0, 1000000);
+    visit("max_clouds_in_memory_mb", self.max_clouds_in_memory_mb, 1, 100000);
+    visit("scratch_folder", self.scratch_folder);
   }
 };
 
@@ -69,7 +75,7 @@ class SemanticMapper {
         0;                        // dropped: no graph lists their keyframe, or it is of another map
     std::size_t not_tracked = 0;  // dropped: the camera was lost
     std::size_t lost_keyframe = 0;  // taken out of the map: a later graph puts their keyframe
-                                    // outside of the octree
+                                    // outside of the octree, or the disk fails
     std::size_t rebuilds = 0;
   };
 
@@ -84,12 +90,26 @@ class SemanticMapper {
   // is not of this image, or was seen from outside of the octree.
   bool Insert(const SemanticCloud& cloud, const TrackedImage& image);
 
-  // Takes over where the keyframes are now. If the surroundings of one have moved farther than the
-  // threshold since they were entered, the whole map is made again from the kept clouds and then
-  // put in the old one's place. Clouds whose keyframe the graph does not list, because tracking was
-  // lost and began another map, are kept and come back with it. A reset, or a revision or map_id
-  // that goes back (tracking was started anew), forgets everything. Returns whether the map was
-  // made anew or emptied. Throws InputError, and changes nothing, if a pose is not finite.
+  // Takes over where the keyframes are now. A reset, or a revision or map_id that goes back
+  // (tracking was started anew), forgets everything: returns whether it did and there was
+  // something. Throws InputError, and changes nothing, if a pose is not finite.
+  bool TakeOver(const KeyframeGraph& graph);
+
+  // Whether the map should be made again: the surroundings of some keyframe have moved farther than
+  // the threshold since they were entered, or clouds can come back. Clouds whose keyframe the graph
+  // does not list, because tracking was lost and began another map, are kept and come back with it.
+  bool NeedsRebuild() const { return HasMoved() || ComesBack(); }
+
+  // Begins to make the whole map again; the map stays as it is, and clouds may go on being entered,
+  // until FinishRebuild(). One at a time.
+  std::unique_ptr<MapRebuild> BeginRebuild();
+
+  // Puts what was rebuilt in the map's place, if no cloud has come in since its last Run(); else
+  // hands it those clouds and returns false, to be run again. What was begun before a reset is
+  // thrown away.
+  bool FinishRebuild(MapRebuild& rebuild);
+
+  // All of it at once. Returns whether the map was made anew or emptied.
   bool FollowGraph(const KeyframeGraph& graph);
 
   // Forgets the map, but not where the keyframes are.
@@ -111,9 +131,9 @@ class SemanticMapper {
 
  private:
   std::unique_ptr<SemanticOcTree> EmptyTree() const;
+  void Keep(const CloudAnchor& anchor, const std::vector<VoxelObservation>& observations);
   bool HasMoved() const;
   bool ComesBack() const;
-  void Rebuild();
 
   const SemanticMapperOptions options_;
   const std::shared_ptr<const LabelVocabulary> vocabulary_;
@@ -124,6 +144,8 @@ class SemanticMapper {
   KeyframePoses poses_;
   std::map<KeyframeId, Rigid3d> entered_poses_;  // T_map_keyframe when its first cloud was entered
   std::set<KeyframeId> unlisted_;                // of clouds that are not in the tree
+  AnchoredClouds::Clouds came_meanwhile_;        // since a rebuild began or was last run
+  const MapRebuild* rebuild_ = nullptr;          // the one that was begun; null: none
   Stamp stamp_;
   Counts counts_;
   std::uint64_t version_ = 0;

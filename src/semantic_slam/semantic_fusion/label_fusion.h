@@ -15,10 +15,11 @@ FusionRule FusionRuleFromName(const std::string& name);
 
 struct LabelFusionOptions {
   std::string rule = "bayes";      // or thesis_literal, max_with_memory, votes
-  double min_probability = 0.005;  // no label is ever less probable, so that it can come back
-  double max_probability = 0.99;   // nor more, so that it can be given up
-  double alpha = 0.0;  // part of the others' probability that a label gets where it is missing; 0:
-                       // an equal part
+  double min_probability = 1e-4;   // no label is ever less probable, so that it can come back
+  double max_probability = 0.999;  // nor more, so that it can be given up
+  // Part of the others' probability that a label gets where it is missing; 0: an equal part, which
+  // is too little, as a network spreads what is left over few classes.
+  double alpha = 0.3;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor&& visit) {
