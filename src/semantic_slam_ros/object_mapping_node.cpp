@@ -12,6 +12,7 @@
 #include "semantic_slam_ros/image_subscription.h"
 #include "semantic_slam_ros/object_conversions.h"
 #include "semantic_slam_ros/param_reader.h"
+#include "semantic_slam_ros/query_conditions.h"
 #include "semantic_slam_ros/topics.h"
 
 namespace semantic_slam_ros {
@@ -32,26 +33,6 @@ ObjectMappingNodeOptions Checked(ObjectMappingNodeOptions options) {
   options.map_frame = FrameName(options.map_frame);
   if (options.map_frame.empty()) throw semantic_slam::ConfigError("~map_frame is empty");
   return options;
-}
-
-// nullopt if both corners are equal: anywhere. Throws InputError if they are none of a box.
-std::optional<Eigen::AlignedBox3d> ToBox(const geometry_msgs::Point& low,
-                                         const geometry_msgs::Point& high) {
-  const Eigen::Vector3d min(low.x, low.y, low.z), max(high.x, high.y, high.z);
-  if (!min.allFinite() || !max.allFinite() || (min.array() > max.array()).any()) {
-    throw InputError("box_min and box_max are not the lower and the upper corner of a box");
-  }
-  if (min == max) return std::nullopt;
-  return Eigen::AlignedBox3d(min, max);
-}
-
-// nullopt for an empty name: any class. Throws InputError if there is no such class.
-std::optional<semantic_slam::LabelId> ToLabel(const std::string& name,
-                                              const semantic_slam::LabelVocabulary& vocabulary) {
-  if (name.empty()) return std::nullopt;
-  const auto label = vocabulary.Find(name);
-  if (!label) throw InputError("there is no class '" + name + "'");
-  return label;
 }
 
 }  // namespace

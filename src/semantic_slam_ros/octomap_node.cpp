@@ -8,6 +8,7 @@
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/octree/map_export.h"
 #include "semantic_slam/octree/map_picture.h"
+#include "semantic_slam_ros/conversions.h"
 #include "semantic_slam_ros/image_subscription.h"
 #include "semantic_slam_ros/param_reader.h"
 #include "semantic_slam_ros/segmentation_conversions.h"
@@ -46,6 +47,8 @@ OctomapNode::OctomapNode(ros::NodeHandle nh, ros::NodeHandle private_nh,
               [this](NodeHealth::Status& status) { Diagnose(status); }),
       saver_(private_nh, topics::kSaveMap, options_.output_directory,
              [this](const std::string& folder) { return Save(folder); }),
+      services_(private_nh, FrameName(parameters.publisher.map_frame), map_mutex_, mapper_,
+                [this] { worker_->Clear(); }),
       rebuilder_(std::make_unique<semantic_slam::Worker<std::shared_ptr<MapRebuild>>>(
           1, semantic_slam::WhenFull::kBlock,
           [this](const std::shared_ptr<MapRebuild>& rebuild) { Rebuild(*rebuild); })),

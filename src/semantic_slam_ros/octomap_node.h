@@ -22,6 +22,7 @@
 #include "semantic_slam_ros/map_worker.h"
 #include "semantic_slam_ros/node_health.h"
 #include "semantic_slam_ros/octomap_publisher.h"
+#include "semantic_slam_ros/octomap_services.h"
 
 namespace semantic_slam_ros {
 
@@ -109,6 +110,7 @@ class OctomapNode {
 
   NodeHealth health_;
   MapSaver saver_;
+  OctomapServices services_;
   std::unique_ptr<semantic_slam::Worker<std::shared_ptr<MapRebuild>>> rebuilder_;
   std::unique_ptr<MapWorker<Joiner::Joined>> worker_;  // after the rebuilder that it hands work to
   std::unique_ptr<GraphInput> graph_input_;  // after the worker that it wakes, as what follows

@@ -195,4 +195,19 @@ MarkerArray ToLegend(const OccupiedCells& cells, const semantic_slam::LabelVocab
   return array;
 }
 
+nav_msgs::OccupancyGrid ToOccupancyGrid(const semantic_slam::ProjectedMap& map,
+                                        const std_msgs::Header& header) {
+  nav_msgs::OccupancyGrid msg;
+  msg.header = header;
+  msg.info.map_load_time = header.stamp;
+  msg.info.resolution = static_cast<float>(map.resolution_m);
+  msg.info.width = static_cast<std::uint32_t>(map.width);
+  msg.info.height = static_cast<std::uint32_t>(map.height);
+  msg.info.origin.position.x = map.origin_m.x();
+  msg.info.origin.position.y = map.origin_m.y();
+  msg.info.origin.orientation.w = 1.0;
+  msg.data = map.cells;
+  return msg;
+}
+
 }  // namespace semantic_slam_ros

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
 #include <Eigen/Core>
 
 #include "semantic_slam/common/label_vocabulary.h"
+#include "semantic_slam/octree/map_projection.h"
 #include "semantic_slam/octree/semantic_octree.h"
 #include "semantic_slam/octree/voxel_colours.h"
 
@@ -50,5 +52,8 @@ std::vector<semantic_slam::LabelId> LabelsIn(const OccupiedCells& cells);
 visualization_msgs::MarkerArray ToLegend(const OccupiedCells& cells,
                                          const semantic_slam::LabelVocabulary& vocabulary,
                                          const std_msgs::Header& header);
+
+nav_msgs::OccupancyGrid ToOccupancyGrid(const semantic_slam::ProjectedMap& map,
+                                        const std_msgs::Header& header);
 
 }  // namespace semantic_slam_ros

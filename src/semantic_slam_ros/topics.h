@@ -29,6 +29,7 @@ constexpr char kSemanticCloud[] = "semantic_cloud";
 constexpr char kOccupiedCells[] = "occupied_cells";
 constexpr char kOccupiedCellsMarkers[] = "occupied_cells_vis_array";
 constexpr char kLegend[] = "legend";
+constexpr char kProjectedMap[] = "projected_map";
 
 // From the 2.5D branch
 constexpr char kDetections[] = "detections";
@@ -58,6 +59,7 @@ constexpr char kReferencePath[] = "reference_path";
 constexpr char kReset[] = "reset";
 constexpr char kPause[] = "pause";
 constexpr char kClear[] = "clear";
+constexpr char kClearBox[] = "clear_box";
 constexpr char kSaveTrajectory[] = "save_trajectory";
 constexpr char kSaveMap[] = "save_map";
 constexpr char kLoadMap[] = "load_map";

@@ -231,6 +231,44 @@ TEST_F(SemanticMapperTest, AResetThrowsARebuildAway) {
   EXPECT_EQ(mapper.counts().rebuilds, 0u);
 }
 
+TEST_F(SemanticMapperTest, GoesOnFromALoadedMapAlsoWhenItIsRebuilt) {
+  SemanticMapper earlier = Mapper(), mapper = Mapper();
+  earlier.FollowGraph(Graph(1, {At(10.0)}));
+  earlier.Insert(Wall(1), Image(1, 0));
+  mapper.FollowGraph(Graph(1, {At(0.0)}));
+  mapper.Insert(Wall(1), Image(1, 0));
+  mapper.Load(earlier.tree().Copy());
+  EXPECT_TRUE(mapper.tree() == earlier.tree());
+  mapper.Insert(Wall(2), Image(2, 0));
+  ASSERT_TRUE(mapper.FollowGraph(Graph(2, {At(1.0)})));
+  EXPECT_TRUE(IsOccupied(mapper, 10.52, 0.02, 2.02));
+  EXPECT_TRUE(IsOccupied(mapper, 1.52, 0.02, 2.02));
+  KeyframeGraph lost = Graph(3, {}, 2);
+  lost.reason = RevisionReason::kLost;
+  ASSERT_TRUE(mapper.FollowGraph(lost));
+  EXPECT_EQ(mapper.tree().size(), 0u);
+  EXPECT_FALSE(mapper.NeedsRebuild());
+  mapper.Reset();
+  EXPECT_EQ(mapper.tree().size(), 0u);
+  EXPECT_NE(MessageOf<InputError>([&] { mapper.Load(std::make_unique<SemanticOcTree>(0.1)); }), "");
+}
+
+TEST_F(SemanticMapperTest, WhatWasClearedStaysSoUntilItIsSeenAgain) {
+  SemanticMapper mapper = Mapper();
+  mapper.FollowGraph(Graph(1, {At(0.0)}));
+  mapper.Insert(Wall(1), Image(1, 0));
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(0.3, -5.0, 0.0), Eigen::Vector3d(5.0, 5.0, 5.0));
+  EXPECT_GT(mapper.Clear(box), 100u);
+  EXPECT_FALSE(IsOccupied(mapper, 0.52, 0.02, 2.02));
+  EXPECT_TRUE(IsOccupied(mapper, 0.12, 0.02, 2.02));
+  ASSERT_TRUE(mapper.FollowGraph(Graph(2, {At(0.2)})));
+  EXPECT_FALSE(IsOccupied(mapper, 0.52, 0.02, 2.02));
+  for (int i = 2; i < 8; ++i) mapper.Insert(Wall(i), Image(i, 0));
+  EXPECT_TRUE(IsOccupied(mapper, 0.52, 0.02, 2.02));
+  ASSERT_TRUE(mapper.FollowGraph(Graph(3, {At(0.0)})));
+  EXPECT_TRUE(IsOccupied(mapper, 0.52, 0.02, 2.02));
+}
+
 TEST_F(SemanticMapperTest, ATurnMovesTheSurroundingsToo) {
   SemanticMapper mapper = Mapper();
   mapper.FollowGraph(Graph(1, {At(0.0)}));

@@ -12,8 +12,12 @@
 #include <set>
 
 #include <gtest/gtest.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <semantic_slam/ClearBox.h>
 #include <semantic_slam/KeyframeArray.h>
 #include <semantic_slam/LabelSet.h>
+#include <semantic_slam/LoadMap.h>
+#include <semantic_slam/QueryMap.h>
 #include <semantic_slam/SaveMap.h>
 #include <semantic_slam/TrackingState.h>
 #include <std_srvs/SetBool.h>
@@ -214,6 +218,97 @@ TEST_F(OctomapNodeTest, FollowsTheKeyframes) {
   Map();
   SendGraph(0.3);
   EXPECT_TRUE(SpinUntil([&] { return std::abs(MeanX() - 2.325) < 1e-3; }, kLimitS)) << MeanX();
+}
+
+TEST_F(OctomapNodeTest, TellsWhatIsWhere) {
+  Map();
+  semantic_slam::QueryMap query;
+  query.request.class_name = "table";
+  query.request.point.x = 2.02;
+  query.request.point.z = 1.0;
+  ASSERT_TRUE(ros::service::call("octomap/query", query));
+  const auto& found = query.response;
+  ASSERT_TRUE(found.success) << found.message;
+  EXPECT_EQ(found.header.frame_id, "map");
+  ASSERT_EQ(found.classes.size(), 1u);
+  EXPECT_EQ(found.classes[0].name, "table");
+  EXPECT_EQ(found.classes[0].voxels, CellCount());
+  EXPECT_NEAR(found.classes[0].volume, static_cast<double>(CellCount()) * 0.05 * 0.05 * 0.05, 1e-9);
+  EXPECT_TRUE(found.found);
+  EXPECT_NEAR(found.nearest.x, 2.025, 1e-4);
+  EXPECT_EQ(found.state, semantic_slam::QueryMap::Response::OCCUPIED);
+  ASSERT_FALSE(found.names.empty());
+  EXPECT_EQ(found.names[0], "table");
+  EXPECT_NEAR(found.probabilities[0], 0.8, 0.01);
+
+  query.request.class_name = "unicorn";
+  ASSERT_TRUE(ros::service::call("octomap/query", query));
+  EXPECT_FALSE(query.response.success);
+  semantic_slam::ExpectOneLineWith(query.response.message, {"unicorn"});
+  query.request.class_name = "";
+  query.request.point.x = std::numeric_limits<double>::quiet_NaN();
+  ASSERT_TRUE(ros::service::call("octomap/query", query));
+  EXPECT_FALSE(query.response.success);
+}
+
+TEST_F(OctomapNodeTest, ClearsABox) {
+  Map();
+  const std::size_t before = CellCount();
+  semantic_slam::ClearBox clear;
+  ASSERT_TRUE(ros::service::call("octomap/clear_box", clear));
+  EXPECT_FALSE(clear.response.success);
+  clear.request.box_min.y = 0.0;
+  clear.request.box_max.x = clear.request.box_max.y = clear.request.box_max.z = 5.0;
+  ASSERT_TRUE(ros::service::call("octomap/clear_box", clear));
+  EXPECT_TRUE(clear.response.success) << clear.response.message;
+  EXPECT_TRUE(SpinUntil([&] { return CellCount() > 0 && CellCount() < before * 2 / 3; }, kLimitS));
+}
+
+TEST_F(OctomapNodeTest, ShowsTheMapFromAbove) {
+  Listener<nav_msgs::OccupancyGrid> projected(nh_, "projected_map");
+  Map();
+  const auto occupied = [&] {
+    return projected.last()
+               ? std::count(projected.last()->data.begin(), projected.last()->data.end(), 100)
+               : 0;
+  };
+  ASSERT_TRUE(SpinUntil([&] { return occupied() > 0; }, kLimitS));
+  EXPECT_NEAR(static_cast<double>(occupied()), 40.0, 2.0);  // the wall, 2 m by one voxel
+  EXPECT_EQ(projected.last()->header.frame_id, "map");
+  EXPECT_FLOAT_EQ(projected.last()->info.resolution, 0.05f);
+}
+
+TEST_F(OctomapNodeTest, LoadsWhatItSavedAndRefusesWhatIsNoMap) {
+  const semantic_slam::TemporaryFolder folder;
+  Map();
+  const std::size_t before = CellCount();
+  semantic_slam::SaveMap save;
+  save.request.path = folder.path();
+  ASSERT_TRUE(ros::service::call("octomap/save_map", save));
+  ASSERT_TRUE(save.response.success) << save.response.message;
+
+  std_srvs::Trigger reset;
+  ASSERT_TRUE(ros::service::call("octomap/reset", reset));
+  ASSERT_TRUE(SpinUntil([&] { return CellCount() == 0; }, kLimitS));
+  semantic_slam::LoadMap load;
+  load.request.path = folder.path() + "/semantic_map.bt";
+  ASSERT_TRUE(ros::service::call("octomap/load_map", load));
+  EXPECT_FALSE(load.response.success);
+  semantic_slam::ExpectOneLineWith(load.response.message, {"semantic_map.bt"});
+  load.request.path = folder.path();
+  ASSERT_TRUE(ros::service::call("octomap/load_map", load));
+  ASSERT_TRUE(load.response.success) << load.response.message;
+  EXPECT_TRUE(SpinUntil([&] { return CellCount() == before; }, kLimitS));
+
+  // What is cut short is refused, and the map stays.
+  std::filesystem::resize_file(folder.path() + "/semantic_map.ot", 2000);
+  ASSERT_TRUE(ros::service::call("octomap/load_map", load));
+  EXPECT_FALSE(load.response.success);
+  semantic_slam::ExpectOneLineWith(load.response.message, {"semantic_map.ot"});
+  semantic_slam::QueryMap query;
+  ASSERT_TRUE(ros::service::call("octomap/query", query));
+  ASSERT_EQ(query.response.classes.size(), 1u);
+  EXPECT_EQ(query.response.classes[0].voxels, before);
 }
 
 TEST_F(OctomapNodeTest, AnotherMapBeginsEmpty) {

@@ -3,28 +3,36 @@
 #include <utility>
 
 #include "semantic_slam/common/error.h"
+#include "semantic_slam/octree/clear_box.h"
 
 namespace semantic_slam {
 
-MapRebuild::MapRebuild(const OctreeInserter& inserter, std::unique_ptr<SemanticOcTree> tree,
-                       KeyframePoses poses, Clouds clouds)
-    : inserter_(inserter),
-      tree_(std::move(tree)),
-      poses_(std::move(poses)),
-      waiting_(std::move(clouds)) {}
+MapRebuild::MapRebuild(const OctreeInserter& inserter, KeyframePoses poses, Parts parts)
+    : inserter_(inserter), poses_(std::move(poses)), parts_(std::move(parts)) {}
 
 void MapRebuild::Run() {
   Run(std::atomic<bool>{false});
 }
 
 void MapRebuild::Run(const std::atomic<bool>& stop) {
+  if (!tree_) tree_ = parts_.base->Copy();
   Clouds clouds;
-  clouds.swap(waiting_);
+  clouds.swap(parts_.clouds);
   for (std::shared_ptr<const AnchoredCloud>& cloud : clouds) {
     if (stop) return;
+    ClearBefore(cloud->anchor().stamp);
     Enter(*cloud);
     done_.push_back(std::move(cloud));
   }
+  for (const ClearedBox& cleared : parts_.cleared) ClearBox(cleared.box_m, *tree_);
+  parts_.cleared.clear();
+}
+
+void MapRebuild::ClearBefore(Stamp stamp) {
+  auto cleared = parts_.cleared.begin();
+  for (; cleared != parts_.cleared.end() && cleared->stamp < stamp; ++cleared)
+    ClearBox(cleared->box_m, *tree_);
+  parts_.cleared.erase(parts_.cleared.begin(), cleared);
 }
 
 void MapRebuild::Enter(const AnchoredCloud& cloud) {

@@ -5,6 +5,10 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 #include "semantic_slam/common/keyframe_poses.h"
 #include "semantic_slam/octree/anchored_clouds.h"
@@ -13,15 +17,27 @@
 
 namespace semantic_slam {
 
+// Somebody said that nothing is there; what is seen there later counts again.
+struct ClearedBox {
+  Eigen::AlignedBox3d box_m;  // in the map
+  Stamp stamp;                // of the newest cloud before
+};
+
 // Makes a map again from its clouds, at the poses that a graph gives them. It has all that it
 // needs, so it may run on a thread of its own while the old map goes on. For one thread at a time.
 class MapRebuild {
  public:
   using Clouds = AnchoredClouds::Clouds;
 
-  // `tree` is the empty one to be filled.
-  MapRebuild(const OctreeInserter& inserter, std::unique_ptr<SemanticOcTree> tree,
-             KeyframePoses poses, Clouds clouds);
+  // What a map is made of, in this order: a map that was there before, then clouds, and boxes that
+  // were cleared between them.
+  struct Parts {
+    std::shared_ptr<const SemanticOcTree> base;  // not null
+    Clouds clouds;
+    std::vector<ClearedBox> cleared;
+  };
+
+  MapRebuild(const OctreeInserter& inserter, KeyframePoses poses, Parts parts);
 
   // Enters the clouds that wait, until `stop` is set. Clouds whose keyframe is not listed are left
   // out, and so are those that have moved out of the octree or cannot be read any more.
@@ -29,7 +45,10 @@ class MapRebuild {
   void Run();
 
   // For clouds that came meanwhile.
-  void Append(std::shared_ptr<const AnchoredCloud> cloud) { waiting_.push_back(std::move(cloud)); }
+  void Append(std::shared_ptr<const AnchoredCloud> cloud) {
+    parts_.clouds.push_back(std::move(cloud));
+  }
+  void Append(const ClearedBox& cleared) { parts_.cleared.push_back(cleared); }
 
   // What the owner of the map takes over when the work is done.
   std::unique_ptr<SemanticOcTree> TakeTree() { return std::move(tree_); }
@@ -40,10 +59,13 @@ class MapRebuild {
  private:
   void Enter(const AnchoredCloud& cloud);
 
+  // Of boxes that were cleared before there was a cloud of that stamp.
+  void ClearBefore(Stamp stamp);
+
   OctreeInserter inserter_;
-  std::unique_ptr<SemanticOcTree> tree_;
+  std::unique_ptr<SemanticOcTree> tree_;  // null before the first Run()
   const KeyframePoses poses_;
-  Clouds waiting_;
+  Parts parts_;                                  // what waits
   Clouds done_;                                  // here so that the pointers in lost_ stay theirs
   std::map<KeyframeId, Rigid3d> entered_poses_;  // T_map_keyframe
   std::set<KeyframeId> unlisted_;                // keyframes of clouds that were left out

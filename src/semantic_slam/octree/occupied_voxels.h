@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "semantic_slam/octree/semantic_octree.h"
 
@@ -18,6 +22,10 @@ void ForEachOccupiedLeaf(const SemanticOcTree& tree, Visit&& visit) {
   }
 }
 
+inline Eigen::Vector3d CentreOf(const SemanticOcTree& tree, const octomap::OcTreeKey& key) {
+  return {tree.keyToCoord(key[0]), tree.keyToCoord(key[1]), tree.keyToCoord(key[2])};
+}
+
 // The smallest voxels that are occupied: calls visit(key, node), for those of a block one after the
 // other.
 template <typename Visit>
@@ -31,6 +39,35 @@ void ForEachOccupiedVoxel(const SemanticOcTree& tree, Visit&& visit) {
                                    static_cast<octomap::key_type>(lowest[1] + i / side % side),
                                    static_cast<octomap::key_type>(lowest[2] + i / side / side));
       visit(key, static_cast<const SemanticNode&>(*leaf));
+    }
+  }
+}
+
+// The same, of those whose centre lies in `box_m`.
+template <typename Visit>
+void ForEachOccupiedVoxel(const SemanticOcTree& tree, const Eigen::AlignedBox3d& box_m,
+                          Visit&& visit) {
+  if (box_m.isEmpty() || tree.getRoot() == nullptr) return;
+  const auto corner = [&](const Eigen::Vector3d& p) {
+    octomap::OcTreeKey key;
+    for (int i = 0; i < 3; ++i) {
+      const double cell = std::floor(p[i] / tree.getResolution()) + 32768.0;
+      key[static_cast<unsigned>(i)] =
+          static_cast<octomap::key_type>(std::clamp(cell, 0.0, 65535.0));
+    }
+    return key;
+  };
+  const octomap::OcTreeKey low = corner(box_m.min()), high = corner(box_m.max());
+  for (auto leaf = tree.begin_leafs_bbx(low, high), end = tree.end_leafs_bbx(); leaf != end;
+       ++leaf) {
+    if (!tree.isNodeOccupied(*leaf)) continue;
+    const octomap::OcTreeKey lowest = tree.LowestKey(leaf.getKey(), leaf.getDepth());
+    const int side = 1 << (tree.getTreeDepth() - leaf.getDepth());
+    for (int i = 0; i < side * side * side; ++i) {
+      const octomap::OcTreeKey key(static_cast<octomap::key_type>(lowest[0] + i % side),
+                                   static_cast<octomap::key_type>(lowest[1] + i / side % side),
+                                   static_cast<octomap::key_type>(lowest[2] + i / side / side));
+      if (box_m.contains(CentreOf(tree, key))) visit(key, static_cast<const SemanticNode&>(*leaf));
     }
   }
 }

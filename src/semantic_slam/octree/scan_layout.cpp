@@ -8,9 +8,6 @@ namespace {
 // A ray's last steps may stray by a voxel, by rounding.
 constexpr int kMarginVoxels = 2;
 
-// The bits of 0..7, three apart.
-constexpr std::array<unsigned, 8> kSpread{0, 1, 8, 9, 64, 65, 72, 73};
-
 }  // namespace
 
 void ScanLayout::Reset(const octomap::OcTreeKey& lowest, const octomap::OcTreeKey& highest) {

@@ -49,6 +49,11 @@ class ScanLayout {
   // The lowest key in the brick of that number.
   octomap::OcTreeKey CornerOf(std::size_t brick) const;
 
+  // Where in its brick a voxel is, 0..511.
+  static unsigned PlaceOf(const octomap::OcTreeKey& key) {
+    return kSpread[key[0] & 7] | kSpread[key[1] & 7] << 1 | kSpread[key[2] & 7] << 2;
+  }
+
   // The key of a voxel by its place in a brick, 0..511.
   static octomap::OcTreeKey KeyOf(const octomap::OcTreeKey& corner, unsigned place) {
     return {static_cast<octomap::key_type>(corner[0] + Gather(place)),
@@ -57,6 +62,9 @@ class ScanLayout {
   }
 
  private:
+  // The bits of 0..7, three apart.
+  static constexpr std::array<unsigned, 8> kSpread{0, 1, 8, 9, 64, 65, 72, 73};
+
   // Every third bit of nine, closed up.
   static int Gather(unsigned bits) { return (bits & 1) | (bits >> 2 & 2) | (bits >> 4 & 4); }
 

@@ -1,10 +1,12 @@
 #include "semantic_slam/octree/semantic_map.h"
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "semantic_slam/common/error.h"
 #include "semantic_slam/common/label_check.h"
+#include "semantic_slam/octree/clear_box.h"
 #include "semantic_slam/semantic_cloud/check_cloud.h"
 
 namespace semantic_slam {
@@ -44,6 +46,7 @@ SemanticMapper::SemanticMapper(const SemanticMapperOptions& options,
   Validate(options_.occupancy);
   CheckRangeInVoxels(options_.insertion, options_.map.resolution_m);
   tree_ = EmptyTree();
+  base_ = EmptyTree();
 }
 
 bool SemanticMapper::Insert(const SemanticCloud& cloud, const TrackedImage& image) {
@@ -100,17 +103,23 @@ bool SemanticMapper::FollowGraph(const KeyframeGraph& graph) {
 }
 
 std::unique_ptr<MapRebuild> SemanticMapper::BeginRebuild() {
-  auto rebuild = std::make_unique<MapRebuild>(inserter_, EmptyTree(), poses_, clouds_.clouds());
+  MapRebuild::Parts parts{nullptr, clouds_.clouds(), cleared_};
+  is_on_base_ = BelongsToBase();
+  parts.base = is_on_base_ ? base_ : std::shared_ptr<const SemanticOcTree>(EmptyTree());
+  auto rebuild = std::make_unique<MapRebuild>(inserter_, poses_, std::move(parts));
   rebuild_ = rebuild.get();
   came_meanwhile_.clear();
+  cleared_meanwhile_.clear();
   return rebuild;
 }
 
 bool SemanticMapper::FinishRebuild(MapRebuild& rebuild) {
   if (rebuild_ != &rebuild) return true;
-  if (!came_meanwhile_.empty()) {
+  if (!came_meanwhile_.empty() || !cleared_meanwhile_.empty()) {
     for (auto& cloud : came_meanwhile_) rebuild.Append(std::move(cloud));
+    for (const ClearedBox& cleared : cleared_meanwhile_) rebuild.Append(cleared);
     came_meanwhile_.clear();
+    cleared_meanwhile_.clear();
     return false;
   }
   rebuild_ = nullptr;
@@ -130,8 +139,36 @@ bool SemanticMapper::ComesBack() const {
                      [this](KeyframeId id) { return poses_.Find(id).has_value(); });
 }
 
+void SemanticMapper::Load(std::unique_ptr<SemanticOcTree> tree) {
+  if (tree->getResolution() != options_.map.resolution_m) {
+    std::ostringstream what;
+    what << "the map has voxels of " << tree->getResolution() << " m, expected "
+         << options_.map.resolution_m << " m";
+    throw InputError(what.str());
+  }
+  tree->SetOccupancy(options_.occupancy);
+  Reset();
+  base_ = std::move(tree);
+  base_map_id_ = poses_.map_id();
+  is_on_base_ = BelongsToBase();
+  tree_ = base_->Copy();
+}
+
+std::size_t SemanticMapper::Clear(const Eigen::AlignedBox3d& box_m) {
+  const std::size_t voxels = ClearBox(box_m, *tree_);
+  const ClearedBox cleared{box_m, stamp_};
+  cleared_.push_back(cleared);
+  if (rebuild_ != nullptr) cleared_meanwhile_.push_back(cleared);
+  ++version_;
+  return voxels;
+}
+
 void SemanticMapper::Reset() {
   tree_ = EmptyTree();
+  base_ = EmptyTree();
+  is_on_base_ = false;
+  cleared_.clear();
+  cleared_meanwhile_.clear();
   clouds_.Clear();
   entered_poses_.clear();
   unlisted_.clear();

@@ -98,7 +98,7 @@ class SemanticMapper {
   // Whether the map should be made again: the surroundings of some keyframe have moved farther than
   // the threshold since they were entered, or clouds can come back. Clouds whose keyframe the graph
   // does not list, because tracking was lost and began another map, are kept and come back with it.
-  bool NeedsRebuild() const { return HasMoved() || ComesBack(); }
+  bool NeedsRebuild() const { return HasMoved() || ComesBack() || is_on_base_ != BelongsToBase(); }
 
   // Begins to make the whole map again; the map stays as it is, and clouds may go on being entered,
   // until FinishRebuild(). One at a time.
@@ -114,6 +114,15 @@ class SemanticMapper {
 
   // Forgets the map, but not where the keyframes are.
   void Reset();
+
+  // Goes on from a map that was there before, in place of what there is; it stays where it is when
+  // the camera's path is corrected. Throws InputError, and changes nothing, if its voxels are of
+  // another size.
+  void Load(std::unique_ptr<SemanticOcTree> tree);
+
+  // Makes what is occupied in the box free; see ClearBox(). What is seen there later counts again.
+  // Returns how many voxels there were.
+  std::size_t Clear(const Eigen::AlignedBox3d& box_m);
 
   // Where the camera was at the clouds that are kept, in the order in which they came.
   std::vector<Eigen::Vector3d> CameraPath() const;
@@ -134,6 +143,9 @@ class SemanticMapper {
   void Keep(const CloudAnchor& anchor, const std::vector<VoxelObservation>& observations);
   bool HasMoved() const;
   bool ComesBack() const;
+  bool BelongsToBase() const {
+    return base_->getRoot() != nullptr && poses_.map_id() == base_map_id_;
+  }
 
   const SemanticMapperOptions options_;
   const std::shared_ptr<const LabelVocabulary> vocabulary_;
@@ -141,10 +153,15 @@ class SemanticMapper {
   OctreeInserter inserter_;
   std::unique_ptr<SemanticOcTree> tree_;
   AnchoredClouds clouds_;
+  std::shared_ptr<const SemanticOcTree> base_;  // that all clouds came after: empty, or loaded
+  int base_map_id_ = 0;
+  bool is_on_base_ = false;  // whether the tree is
+  std::vector<ClearedBox> cleared_;
   KeyframePoses poses_;
   std::map<KeyframeId, Rigid3d> entered_poses_;  // T_map_keyframe when its first cloud was entered
   std::set<KeyframeId> unlisted_;                // of clouds that are not in the tree
   AnchoredClouds::Clouds came_meanwhile_;        // since a rebuild began or was last run
+  std::vector<ClearedBox> cleared_meanwhile_;    // the same
   const MapRebuild* rebuild_ = nullptr;          // the one that was begun; null: none
   Stamp stamp_;
   Counts counts_;

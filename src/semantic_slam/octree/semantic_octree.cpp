@@ -85,6 +85,28 @@ void SemanticOcTree::SetOccupancy(const OccupancyOptions& options) {
   setOccupancyThres(options.occupied);
 }
 
+std::unique_ptr<SemanticOcTree> SemanticOcTree::Copy() const {
+  auto copy = std::make_unique<SemanticOcTree>(resolution);
+  copy->prob_hit_log = prob_hit_log;
+  copy->prob_miss_log = prob_miss_log;
+  copy->clamping_thres_min = clamping_thres_min;
+  copy->clamping_thres_max = clamping_thres_max;
+  copy->occ_prob_thres_log = occ_prob_thres_log;
+  if (root == nullptr) return copy;
+  bool created = false;
+  copy->CopyBelow(*this, root, copy->EnsureRoot(&created));
+  return copy;
+}
+
+void SemanticOcTree::CopyBelow(const SemanticOcTree& from, const SemanticNode* source,
+                               SemanticNode* target) {
+  target->copyData(*source);
+  for (unsigned i = 0; i < 8; ++i) {
+    if (from.nodeChildExists(source, i))
+      CopyBelow(from, from.getNodeChild(source, i), createNodeChild(target, i));
+  }
+}
+
 SemanticNode* SemanticOcTree::EnsureRoot(bool* created) {
   *created = root == nullptr;
   if (*created) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 #include <octomap/OcTreeNode.h>
@@ -81,6 +82,9 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticNode> {
 
   void SetOccupancy(const OccupancyOptions& options);
 
+  // A tree of the same voxels and the same options.
+  std::unique_ptr<SemanticOcTree> Copy() const;
+
   // Log-odds one hit adds and one miss takes.
   float hit_log_odds() const { return prob_hit_log; }
   float miss_log_odds() const { return prob_miss_log; }
@@ -108,6 +112,7 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticNode> {
   static bool Register();
   static const bool kRegistered;
 
+  void CopyBelow(const SemanticOcTree& from, const SemanticNode* source, SemanticNode* target);
   bool SameForPruning(const SemanticNode& a, const SemanticNode& b) const;
 };
 
