@@ -51,7 +51,6 @@ class MappingMethod {
 struct MappingSettings {
   double resolution_m = 0.05;
   double range_m = 5.0;
-  int threads = 1;
 };
 
 // The methods' names, the baseline first.

@@ -216,7 +216,6 @@ int SemanticOctreeBenchmark(CommandLine& command_line) {
   command_line.Option("res", "R", &settings.mapping.resolution_m, "edge of a voxel [m]");
   command_line.Option("range", "R", &settings.mapping.range_m, "longest ray [m]");
   command_line.Option("frames", "N", &settings.frames, "images; from 101 on the loop begins again");
-  command_line.Option("threads", "N", &settings.mapping.threads, "that our mapper may use");
   command_line.Flag("quality", &settings.quality, "compare the map with the room");
   command_line.Flag("agreement", &settings.agreement, "compare its occupancy with OctoMap's");
   command_line.Flag("list", &list, "print the methods' names");
@@ -228,7 +227,6 @@ int SemanticOctreeBenchmark(CommandLine& command_line) {
   CheckInRange("--res", settings.mapping.resolution_m, 0.01, 1.0);
   CheckInRange("--range", settings.mapping.range_m, 0.1, 30.0);
   CheckInRange("--frames", settings.frames, 1, 1000000);
-  CheckInRange("--threads", settings.mapping.threads, 1, 64);
   if (settings.method.empty()) return RunAll(settings);
   RunOne(settings);
   return EXIT_SUCCESS;

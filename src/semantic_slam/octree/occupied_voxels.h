@@ -26,20 +26,27 @@ inline Eigen::Vector3d CentreOf(const SemanticOcTree& tree, const octomap::OcTre
   return {tree.keyToCoord(key[0]), tree.keyToCoord(key[1]), tree.keyToCoord(key[2])};
 }
 
+// Calls visit(key) for the smallest voxels that a leaf (an iterator of OctoMap's) stands for.
+template <typename Leaf, typename Visit>
+void ForEachVoxelOf(const SemanticOcTree& tree, const Leaf& leaf, Visit&& visit) {
+  const octomap::OcTreeKey lowest = tree.LowestKey(leaf.getKey(), leaf.getDepth());
+  const int side = 1 << (tree.getTreeDepth() - leaf.getDepth());
+  for (int i = 0; i < side * side * side; ++i) {
+    visit(octomap::OcTreeKey(static_cast<octomap::key_type>(lowest[0] + i % side),
+                             static_cast<octomap::key_type>(lowest[1] + i / side % side),
+                             static_cast<octomap::key_type>(lowest[2] + i / side / side)));
+  }
+}
+
 // The smallest voxels that are occupied: calls visit(key, node), for those of a block one after the
 // other.
 template <typename Visit>
 void ForEachOccupiedVoxel(const SemanticOcTree& tree, Visit&& visit) {
   for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf) {
     if (!tree.isNodeOccupied(*leaf)) continue;
-    const octomap::OcTreeKey lowest = tree.LowestKey(leaf.getKey(), leaf.getDepth());
-    const int side = 1 << (tree.getTreeDepth() - leaf.getDepth());
-    for (int i = 0; i < side * side * side; ++i) {
-      const octomap::OcTreeKey key(static_cast<octomap::key_type>(lowest[0] + i % side),
-                                   static_cast<octomap::key_type>(lowest[1] + i / side % side),
-                                   static_cast<octomap::key_type>(lowest[2] + i / side / side));
+    ForEachVoxelOf(tree, leaf, [&](const octomap::OcTreeKey& key) {
       visit(key, static_cast<const SemanticNode&>(*leaf));
-    }
+    });
   }
 }
 
@@ -61,14 +68,9 @@ void ForEachOccupiedVoxel(const SemanticOcTree& tree, const Eigen::AlignedBox3d&
   for (auto leaf = tree.begin_leafs_bbx(low, high), end = tree.end_leafs_bbx(); leaf != end;
        ++leaf) {
     if (!tree.isNodeOccupied(*leaf)) continue;
-    const octomap::OcTreeKey lowest = tree.LowestKey(leaf.getKey(), leaf.getDepth());
-    const int side = 1 << (tree.getTreeDepth() - leaf.getDepth());
-    for (int i = 0; i < side * side * side; ++i) {
-      const octomap::OcTreeKey key(static_cast<octomap::key_type>(lowest[0] + i % side),
-                                   static_cast<octomap::key_type>(lowest[1] + i / side % side),
-                                   static_cast<octomap::key_type>(lowest[2] + i / side / side));
+    ForEachVoxelOf(tree, leaf, [&](const octomap::OcTreeKey& key) {
       if (box_m.contains(CentreOf(tree, key))) visit(key, static_cast<const SemanticNode&>(*leaf));
-    }
+    });
   }
 }
 
