@@ -7,7 +7,7 @@ import pytest
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "src/tools"
 PROGRAMS = sorted(path.stem for path in TOOLS.glob("*.cpp") if not path.with_suffix(".h").exists())
-PROGRAMS.append("render_textured_room")
+PROGRAMS += ["render_textured_room", "semantic_octree_benchmark"]
 
 # What is given, and words that the one line must contain. {tmp} is a folder with the files below.
 REFUSED = [
