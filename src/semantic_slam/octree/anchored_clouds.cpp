@@ -7,18 +7,13 @@ namespace semantic_slam {
 AnchoredCloud::AnchoredCloud(const CloudAnchor& anchor, PackedCloud cloud)
     : anchor_(anchor), in_memory_(std::move(cloud)), size_(in_memory_.observations.size()) {}
 
-AnchoredCloud::AnchoredCloud(const AnchoredCloud& from, std::shared_ptr<ScratchFile> file)
-    : anchor_(from.anchor_),
-      in_memory_{from.in_memory_.unit_m, {}},
-      size_(from.size_),
-      file_(file) {
-  const PackedCloud packed = from.Packed();
-  offset_ = file->Append(packed.observations.data(), size_ * sizeof(PackedObservation));
-}
-
-std::vector<VoxelObservation> AnchoredCloud::Load() const {
-  return Unpack(is_on_disk() ? Packed() : in_memory_);
-}
+AnchoredCloud::AnchoredCloud(const CloudAnchor& anchor, const PackedCloud& cloud,
+                             std::shared_ptr<ScratchFile> file)
+    : anchor_(anchor),
+      in_memory_{cloud.unit_m, {}},
+      size_(cloud.observations.size()),
+      file_(file),
+      offset_(file->Append(cloud.observations.data(), size_ * sizeof(PackedObservation))) {}
 
 PackedCloud AnchoredCloud::Packed() const {
   if (!is_on_disk()) return in_memory_;
@@ -30,7 +25,7 @@ PackedCloud AnchoredCloud::Packed() const {
 void AnchoredClouds::Add(const CloudAnchor& anchor,
                          const std::vector<VoxelObservation>& observations) {
   if (offered_++ % keeps_one_of_ != 0) return;
-  clouds_.push_back(OnDisk(std::make_shared<const AnchoredCloud>(anchor, Pack(observations))));
+  clouds_.push_back(Kept(anchor, Pack(observations)));
   BytesOf(*clouds_.back()) += clouds_.back()->bytes();
   while (memory_bytes_ > limits_.memory_bytes || disk_bytes_ > limits_.disk_bytes) Thin();
 }
@@ -43,16 +38,17 @@ void AnchoredClouds::Clear() {
   offered_ = 0;
 }
 
-std::shared_ptr<const AnchoredCloud> AnchoredClouds::OnDisk(
-    std::shared_ptr<const AnchoredCloud> cloud) {
-  if (limits_.disk_bytes == 0 || !disk_error_.empty()) return cloud;
-  try {
-    if (!file_) file_ = std::make_shared<ScratchFile>(limits_.folder);
-    return std::make_shared<const AnchoredCloud>(*cloud, file_);
-  } catch (const InputError& e) {
-    disk_error_ = e.what();
-    return cloud;
+std::shared_ptr<const AnchoredCloud> AnchoredClouds::Kept(const CloudAnchor& anchor,
+                                                          PackedCloud cloud) {
+  if (limits_.disk_bytes > 0 && disk_error_.empty()) {
+    try {
+      if (!file_) file_ = std::make_shared<ScratchFile>(limits_.folder);
+      return std::make_shared<const AnchoredCloud>(anchor, cloud, file_);
+    } catch (const InputError& e) {
+      disk_error_ = e.what();
+    }
   }
+  return std::make_shared<const AnchoredCloud>(anchor, std::move(cloud));
 }
 
 void AnchoredClouds::Thin() {
@@ -68,7 +64,8 @@ void AnchoredClouds::Compact() {
   try {
     const auto file = std::make_shared<ScratchFile>(limits_.folder);
     for (std::shared_ptr<const AnchoredCloud>& cloud : clouds_) {
-      if (cloud->is_on_disk()) cloud = std::make_shared<const AnchoredCloud>(*cloud, file);
+      if (!cloud->is_on_disk()) continue;
+      cloud = std::make_shared<const AnchoredCloud>(cloud->anchor(), cloud->Packed(), file);
     }
     file_ = file;
   } catch (const InputError& e) {

@@ -16,19 +16,19 @@ class AnchoredCloud {
  public:
   AnchoredCloud(const CloudAnchor& anchor, PackedCloud cloud);
 
-  // The same on disk. Throws InputError if that is full.
-  AnchoredCloud(const AnchoredCloud& from, std::shared_ptr<ScratchFile> file);
+  // On disk. Throws InputError if that is full.
+  AnchoredCloud(const CloudAnchor& anchor, const PackedCloud& cloud,
+                std::shared_ptr<ScratchFile> file);
 
   const CloudAnchor& anchor() const { return anchor_; }
   std::size_t bytes() const { return sizeof(AnchoredCloud) + size_ * sizeof(PackedObservation); }
   bool is_on_disk() const { return file_ != nullptr; }
 
   // Throws InputError if it cannot be read from disk.
-  std::vector<VoxelObservation> Load() const;
-
- private:
+  std::vector<VoxelObservation> Load() const { return Unpack(Packed()); }
   PackedCloud Packed() const;
 
+ private:
   const CloudAnchor anchor_;
   const PackedCloud in_memory_;  // without observations if they are on disk
   const std::size_t size_;       // observations
@@ -36,10 +36,10 @@ class AnchoredCloud {
   std::uint64_t offset_ = 0;
 };
 
-// The clouds that a map was made of, so that it can be made again. Bounded: what outgrows the
-// memory allowed goes to disk, the oldest first; when both are full every second cloud goes, and
-// from then on only every second one is kept, and so on. So the clouds always cover the whole run,
-// evenly, however long it is. Not thread-safe.
+// The clouds that a map was made of, so that it can be made again. They are on disk, or in memory
+// where there is none. Bounded: when there is no more room every second cloud goes, and from then
+// on only every second one is kept, and so on. So the clouds always cover the whole run, evenly,
+// however long it is. Not thread-safe.
 class AnchoredClouds {
  public:
   using Clouds = std::vector<std::shared_ptr<const AnchoredCloud>>;
@@ -74,8 +74,8 @@ class AnchoredClouds {
   std::size_t& BytesOf(const AnchoredCloud& cloud) {
     return cloud.is_on_disk() ? disk_bytes_ : memory_bytes_;
   }
-  // The same cloud on disk, or if there is none, itself.
-  std::shared_ptr<const AnchoredCloud> OnDisk(std::shared_ptr<const AnchoredCloud> cloud);
+  // On disk, or if there is none, in memory.
+  std::shared_ptr<const AnchoredCloud> Kept(const CloudAnchor& anchor, PackedCloud cloud);
   void Thin();
 
   // Writes the clouds on disk anew, so that it holds nothing else.

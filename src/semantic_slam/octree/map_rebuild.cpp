@@ -18,11 +18,10 @@ void MapRebuild::Run(const std::atomic<bool>& stop) {
   if (!tree_) tree_ = parts_.base->Copy();
   Clouds clouds;
   clouds.swap(parts_.clouds);
-  for (std::shared_ptr<const AnchoredCloud>& cloud : clouds) {
+  for (const std::shared_ptr<const AnchoredCloud>& cloud : clouds) {
     if (stop) return;
     ClearBefore(cloud->anchor().stamp);
-    Enter(*cloud);
-    done_.push_back(std::move(cloud));
+    Enter(cloud);
   }
   for (const ClearedBox& cleared : parts_.cleared) ClearBox(cleared.box_m, *tree_);
   parts_.cleared.clear();
@@ -35,18 +34,18 @@ void MapRebuild::ClearBefore(Stamp stamp) {
   parts_.cleared.erase(parts_.cleared.begin(), cleared);
 }
 
-void MapRebuild::Enter(const AnchoredCloud& cloud) {
-  const CloudAnchor& anchor = cloud.anchor();
+void MapRebuild::Enter(const std::shared_ptr<const AnchoredCloud>& cloud) {
+  const CloudAnchor& anchor = cloud->anchor();
   const auto T_map_keyframe = poses_.Find(anchor.keyframe_id);
   if (!T_map_keyframe) {
     unlisted_.insert(anchor.keyframe_id);
     return;
   }
   try {
-    inserter_.Insert(cloud.Load(), *T_map_keyframe * anchor.T_keyframe_camera, *tree_);
+    inserter_.Insert(cloud->Load(), *T_map_keyframe * anchor.T_keyframe_camera, *tree_);
     entered_poses_.emplace(anchor.keyframe_id, *T_map_keyframe);
   } catch (const InputError&) {
-    lost_.insert(&cloud);
+    lost_.push_back(cloud);
   }
 }
 

@@ -54,10 +54,10 @@ class MapRebuild {
   std::unique_ptr<SemanticOcTree> TakeTree() { return std::move(tree_); }
   const std::map<KeyframeId, Rigid3d>& entered_poses() const { return entered_poses_; }
   const std::set<KeyframeId>& unlisted() const { return unlisted_; }
-  const std::set<const AnchoredCloud*>& lost() const { return lost_; }
+  const Clouds& lost() const { return lost_; }
 
  private:
-  void Enter(const AnchoredCloud& cloud);
+  void Enter(const std::shared_ptr<const AnchoredCloud>& cloud);
 
   // Of boxes that were cleared before there was a cloud of that stamp.
   void ClearBefore(Stamp stamp);
@@ -66,10 +66,9 @@ class MapRebuild {
   std::unique_ptr<SemanticOcTree> tree_;  // null before the first Run()
   const KeyframePoses poses_;
   Parts parts_;                                  // what waits
-  Clouds done_;                                  // here so that the pointers in lost_ stay theirs
   std::map<KeyframeId, Rigid3d> entered_poses_;  // T_map_keyframe
   std::set<KeyframeId> unlisted_;                // keyframes of clouds that were left out
-  std::set<const AnchoredCloud*> lost_;          // out of the octree, or unreadable
+  Clouds lost_;                                  // out of the octree, or unreadable
 };
 
 }  // namespace semantic_slam

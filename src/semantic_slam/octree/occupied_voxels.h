@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -56,13 +53,8 @@ void ForEachOccupiedVoxel(const SemanticOcTree& tree, const Eigen::AlignedBox3d&
                           Visit&& visit) {
   if (box_m.isEmpty() || tree.getRoot() == nullptr) return;
   const auto corner = [&](const Eigen::Vector3d& p) {
-    octomap::OcTreeKey key;
-    for (int i = 0; i < 3; ++i) {
-      const double cell = std::floor(p[i] / tree.getResolution()) + 32768.0;
-      key[static_cast<unsigned>(i)] =
-          static_cast<octomap::key_type>(std::clamp(cell, 0.0, 65535.0));
-    }
-    return key;
+    return octomap::OcTreeKey(tree.ClampedKey(p.x()), tree.ClampedKey(p.y()),
+                              tree.ClampedKey(p.z()));
   };
   const octomap::OcTreeKey low = corner(box_m.min()), high = corner(box_m.max());
   for (auto leaf = tree.begin_leafs_bbx(low, high), end = tree.end_leafs_bbx(); leaf != end;

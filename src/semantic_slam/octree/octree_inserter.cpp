@@ -34,11 +34,6 @@ octomap::point3d ToPoint(const Eigen::Vector3d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-octomap::key_type ClampedKey(const SemanticOcTree& tree, float coordinate) {
-  const double cell = std::floor(coordinate / tree.getResolution()) + 32768.0;
-  return static_cast<octomap::key_type>(std::clamp(cell, 0.0, 65535.0));
-}
-
 void Enter(const VoxelObservation& observation, bool was_occupied, const LabelFusion& fusion,
            SemanticNode& node) {
   SemanticNode::Rgb rgb = observation.rgb;
@@ -192,8 +187,7 @@ class VoxelFinder {
       const double part =
           point(i) / tree_.getResolution() - (static_cast<int>(key[i]) - kMiddleKey);
       voxel.key[i] = key[i];
-      voxel.place[i] =
-          static_cast<std::uint8_t>(std::clamp(static_cast<int>(part * 256.0), 0, 255));
+      voxel.place[i] = std::clamp(static_cast<int>(part * 256.0), 0, 255);
     }
     return voxel;
   }
@@ -269,8 +263,8 @@ void OctreeInserter::ResetGrid(const Eigen::AlignedBox3f& around_m, const Rigid3
   octomap::OcTreeKey lowest, highest;
   for (int i = 0; i < 3; ++i) {
     const double middle = T_map_camera.translation()[i];
-    lowest[i] = ClampedKey(tree, static_cast<float>(std::max(box.min()[i], middle - reach)));
-    highest[i] = ClampedKey(tree, static_cast<float>(std::min(box.max()[i], middle + reach)));
+    lowest[i] = tree.ClampedKey(static_cast<float>(std::max(box.min()[i], middle - reach)));
+    highest[i] = tree.ClampedKey(static_cast<float>(std::min(box.max()[i], middle + reach)));
   }
   grid_.Reset(lowest, highest);
 }
@@ -377,8 +371,8 @@ void OctreeInserter::MarkRays(const SemanticOcTree& tree) {
 }
 
 void OctreeInserter::UpdateTree(SemanticOcTree& tree) {
-  grid_.LimitHeight(ClampedKey(tree, static_cast<float>(options_.min_z_m)),
-                    ClampedKey(tree, static_cast<float>(options_.max_z_m)));
+  grid_.LimitHeight(tree.ClampedKey(static_cast<float>(options_.min_z_m)),
+                    tree.ClampedKey(static_cast<float>(options_.max_z_m)));
   TreeUpdater updater(tree);
   grid_.ForEachBrick([&](const ScanGrid::Brick& brick) {
     updater.Update(brick, [&](SemanticNode& node, bool was_occupied, unsigned place) {

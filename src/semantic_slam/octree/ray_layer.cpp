@@ -46,8 +46,7 @@ void RayLayer::LookUp(Number brick) {
   const octomap::OcTreeKey corner = layout_->CornerOf(brick);
   const SemanticNode* node =
       tree_->getRoot() == nullptr ? nullptr : tree_->search(corner, kBrickDepth);
-  if (node != nullptr && !tree_->nodeHasChildren(node) &&
-      node->getLogOdds() <= tree_->getClampingThresMinLog()) {
+  if (node != nullptr && tree_->CanGetNoFreer(node)) {
     places_[brick] = kNeedless;
     return;
   }

@@ -126,8 +126,11 @@ bool SemanticMapper::FinishRebuild(MapRebuild& rebuild) {
   tree_ = rebuild.TakeTree();
   entered_poses_ = rebuild.entered_poses();
   unlisted_ = rebuild.unlisted();
-  counts_.lost_keyframe += clouds_.RemoveIf(
-      [&](const AnchoredCloud& cloud) { return rebuild.lost().count(&cloud) != 0; });
+  const AnchoredClouds::Clouds& lost = rebuild.lost();
+  counts_.lost_keyframe += clouds_.RemoveIf([&](const AnchoredCloud& cloud) {
+    return std::any_of(lost.begin(), lost.end(),
+                       [&](const auto& each) { return each.get() == &cloud; });
+  });
   ++counts_.rebuilds;
   ++version_;
   return true;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <iosfwd>
 #include <memory>
@@ -98,6 +100,17 @@ class SemanticOcTree : public octomap::OccupancyOcTreeBase<SemanticNode> {
 
   // The voxel's key range: the lowest key that the node at `key` and `depth` covers.
   octomap::OcTreeKey LowestKey(const octomap::OcTreeKey& key, unsigned depth) const;
+
+  // Whether the node is a leaf that no further ray can make freer.
+  bool CanGetNoFreer(const SemanticNode* node) const {
+    return !nodeHasChildren(node) && node->getLogOdds() <= clamping_thres_min;
+  }
+
+  // The key of the voxel in which the coordinate lies, or of the outermost one on its side.
+  octomap::key_type ClampedKey(double coordinate_m) const {
+    const double cell = std::floor(coordinate_m / resolution) + tree_max_val;
+    return static_cast<octomap::key_type>(std::clamp(cell, 0.0, 2.0 * tree_max_val - 1.0));
+  }
 
   // What OctoMap asks of a tree, hence the spelling.
   SemanticOcTree* create() const override { return new SemanticOcTree(resolution); }

@@ -50,8 +50,7 @@ class TreeUpdater {
 
   // Whether `step` stands for a block of free space that can get no freer.
   bool IsFreeBlock(const Step& step) const {
-    return !step.created && !tree_.nodeHasChildren(step.node) &&
-           step.node->getLogOdds() <= tree_.getClampingThresMinLog();
+    return !step.created && tree_.CanGetNoFreer(step.node);
   }
 
   // The 8^kLevels voxels below `step`; `free` and `hit` are theirs, `first` is the first one's
